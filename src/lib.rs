@@ -1,0 +1,5 @@
+//! Exact visibility: what can be seen from where, with a proof for every answer.
+
+pub mod geom;
+pub mod num;
+pub mod scene;

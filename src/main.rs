@@ -1,0 +1,3 @@
+//! The `stabline` command.
+
+fn main() {}

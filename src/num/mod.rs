@@ -1,0 +1,18 @@
+//! Numbers: signs, unbounded integers and rationals, and the exact reading of decimals.
+//!
+//! Everything in this crate is an integer multiple of a scene's grid unit, or a ratio of such
+//! multiples. `Int` and `Rational` are the unbounded types used at the borders (input, output,
+//! witnesses, oracles) and as the last stage of a predicate; the fixed-width types of this module
+//! serve the stages before it.
+
+mod decimal;
+mod sign;
+
+pub use decimal::{DecimalError, parse_decimal};
+pub use sign::Sign;
+
+/// An unbounded integer.
+pub type Int = num_bigint::BigInt;
+
+/// An unbounded rational, always in lowest terms with a positive denominator.
+pub type Rational = num_rational::BigRational;

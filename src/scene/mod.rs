@@ -1,0 +1,5 @@
+//! Scenes: what is asked about, validated, in exact coordinates.
+
+mod graph;
+
+pub use graph::{CellId, Portal, PortalGraph, PortalId};
