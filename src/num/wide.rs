@@ -278,9 +278,9 @@ impl<const LIMBS: usize> Wide<LIMBS> {
 #[inline(always)]
 fn subtract_shifted(limbs: &mut [u64], amount: &[u64], extension: u64, shift: usize, mask: u64) {
     let mut borrow = false;
-    for i in shift..limbs.len() {
+    for (i, limb) in limbs.iter_mut().enumerate().skip(shift) {
         let digit = amount.get(i - shift).copied().unwrap_or(extension);
-        (limbs[i], borrow) = sub_borrow(limbs[i], digit & mask, borrow);
+        (*limb, borrow) = sub_borrow(*limb, digit & mask, borrow);
     }
 }
 
