@@ -2,4 +2,5 @@
 
 pub mod geom;
 pub mod num;
+pub mod predicates;
 pub mod scene;
