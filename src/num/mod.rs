@@ -6,9 +6,11 @@
 //! serve the stages before it.
 
 mod decimal;
+mod number;
 mod sign;
 
 pub use decimal::{DecimalError, parse_decimal};
+pub use number::Number;
 pub use sign::Sign;
 
 /// An unbounded integer.
