@@ -45,6 +45,17 @@ impl Number {
     }
 }
 
+impl std::fmt::Display for Number {
+    /// `p`, or `p/q`.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Number::Small(numerator, 1) => write!(f, "{numerator}"),
+            Number::Small(numerator, denominator) => write!(f, "{numerator}/{denominator}"),
+            Number::Big(ratio) => write!(f, "{ratio}"),
+        }
+    }
+}
+
 impl From<Rational> for Number {
     fn from(ratio: Rational) -> Number {
         match (ratio.numer().to_i64(), ratio.denom().to_i64()) {

@@ -9,7 +9,7 @@
 use super::polygon::{self, Pieces};
 use super::{CellId, Portal, PortalGraph, Repairs};
 use crate::geom::BigPoint3;
-use crate::num::{Int, Number, Rational};
+use crate::num::{Int, Number};
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive};
 use rustc_hash::FxHashMap;
@@ -82,7 +82,7 @@ pub enum SceneErrorKind {
         /// The vertex, counted from 0.
         vertex: usize,
         /// The coordinate.
-        got: Rational,
+        got: Number,
         /// The declared number of grid units in one world unit.
         grid: Int,
     },
@@ -144,9 +144,9 @@ fn grid(raw: &RawGraph) -> Result<Int, SceneError> {
         for (index, portal) in raw.portals.iter().enumerate() {
             for (vertex, corner) in portal.vertices.iter().enumerate() {
                 for number in corner {
-                    let got = number.to_rational();
-                    if !grid.is_multiple_of(got.denom()) {
-                        let kind = SceneErrorKind::OffGrid { vertex, got, grid: grid.clone() };
+                    if !grid.is_multiple_of(number.to_rational().denom()) {
+                        let (got, grid) = (number.clone(), grid.clone());
+                        let kind = SceneErrorKind::OffGrid { vertex, got, grid };
                         return Err(portal.error(index, kind));
                     }
                 }

@@ -24,7 +24,7 @@ pub enum InputErrorKind {
     Prt(PrtError),
     /// A portal file or a JSON scene whose portals break a rule.
     #[error(transparent)]
-    Scene(SceneError),
+    Scene(Box<SceneError>),
 }
 
 impl InputError {
@@ -48,7 +48,7 @@ pub fn read_graph(name: &str, bytes: &[u8]) -> Result<PortalGraph, InputError> {
         return Err(error(InputErrorKind::Empty));
     }
     let raw = RawGraph::from(prt::read(bytes).map_err(|e| error(InputErrorKind::Prt(e)))?);
-    PortalGraph::from_raw(raw).map_err(|e| error(InputErrorKind::Scene(e)))
+    PortalGraph::from_raw(raw).map_err(|e| error(InputErrorKind::Scene(Box::new(e))))
 }
 
 impl From<PrtFile> for RawGraph {
