@@ -137,7 +137,7 @@ pub enum PrtErrorKind {
         got: String,
     },
     /// A coordinate that is not a number.
-    #[error("vertex {vertex}: coordinate `{got}` is {source}")]
+    #[error("vertex {vertex}: coordinate `{got}`: {source}")]
     Coordinate {
         /// The vertex, counted from 0.
         vertex: usize,

@@ -34,6 +34,24 @@ impl Number {
         }
     }
 
+    /// The ratio `numerator / denominator` in lowest terms.
+    ///
+    /// # Panics
+    /// If `denominator` is zero.
+    pub fn ratio(numerator: i128, denominator: i128) -> Number {
+        assert!(denominator != 0, "a ratio with denominator zero");
+        // Short of i128::MIN every step fits, and that value goes the long way round.
+        if numerator == i128::MIN || denominator == i128::MIN {
+            return Rational::new(numerator.into(), denominator.into()).into();
+        }
+        let divisor = numerator.gcd(&denominator) * denominator.signum();
+        let (numerator, denominator) = (numerator / divisor, denominator / divisor);
+        match (i64::try_from(numerator), i64::try_from(denominator)) {
+            (Ok(numerator), Ok(denominator)) => Number::Small(numerator, denominator),
+            _ => Number::Big(Box::new(Rational::new_raw(numerator.into(), denominator.into()))),
+        }
+    }
+
     /// The same number, unbounded.
     pub fn to_rational(&self) -> Rational {
         match self {
@@ -106,6 +124,16 @@ fn parse_short(text: &[u8]) -> Option<Number> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ratios_are_in_lowest_terms() {
+        assert_eq!(Number::ratio(6, -4), Number::Small(-3, 2));
+        assert_eq!(Number::ratio(0, -7), Number::Small(0, 1));
+        for (p, q) in [(i128::MIN, 2), (3, i128::MIN), (i128::MAX, 3), (1, i128::from(i64::MIN))] {
+            let expected = Rational::new(p.into(), q.into());
+            assert_eq!(Number::ratio(p, q), Number::from(expected), "{p}/{q}");
+        }
+    }
 
     #[test]
     fn both_sizes_agree_with_the_rational() {
