@@ -1,6 +1,9 @@
 //! Exact visibility: what can be seen from where, with a proof for every answer.
 
+pub mod cli;
+pub mod formats;
 pub mod geom;
 pub mod num;
 pub mod predicates;
+pub mod report;
 pub mod scene;
