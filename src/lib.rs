@@ -5,5 +5,6 @@ pub mod formats;
 pub mod geom;
 pub mod num;
 pub mod predicates;
+pub mod pvs;
 pub mod report;
 pub mod scene;
