@@ -3,3 +3,4 @@
 pub mod geom;
 pub mod num;
 pub mod scene;
+pub mod stab;
