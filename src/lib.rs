@@ -2,5 +2,6 @@
 
 pub mod geom;
 pub mod num;
+pub mod predicates;
 pub mod scene;
 pub mod stab;

@@ -7,9 +7,11 @@
 
 mod decimal;
 mod sign;
+mod wide;
 
 pub use decimal::{DecimalError, parse_decimal};
 pub use sign::Sign;
+pub use wide::{Int192, Int256, Int320, Int512, Wide};
 
 /// An unbounded integer.
 pub type Int = num_bigint::BigInt;
