@@ -7,9 +7,11 @@
 
 mod decimal;
 mod sign;
+mod surd;
 
 pub use decimal::{DecimalError, parse_decimal};
 pub use sign::Sign;
+pub use surd::{Surd, sign_of_surd, sign_of_two_surds};
 
 /// An unbounded integer.
 pub type Int = num_bigint::BigInt;
