@@ -2,4 +2,6 @@
 
 pub mod geom;
 pub mod num;
+#[cfg(feature = "oracle")]
+pub mod oracle;
 pub mod scene;
