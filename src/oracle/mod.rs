@@ -5,5 +5,9 @@
 //! engine differ, one of them is wrong. Feature `oracle`.
 
 mod families;
+mod linear;
+mod polynomial;
+mod sequence;
 
 pub use families::{Family, Random, sequence, sequence_2d};
+pub use sequence::{LinePoints, Truth, classify};
