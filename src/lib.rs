@@ -1,7 +1,12 @@
 //! Exact visibility: what can be seen from where, with a proof for every answer.
 
+pub mod cli;
+pub mod formats;
 pub mod geom;
 pub mod num;
+#[cfg(feature = "oracle")]
+pub mod oracle;
 pub mod predicates;
+pub mod report;
 pub mod scene;
 pub mod stab;

@@ -1,3 +1,5 @@
 //! The `stabline` command.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    stabline::cli::run(std::env::args_os())
+}

@@ -1,6 +1,7 @@
 //! A portal graph: convex cells joined by planar convex portals.
 //!
-//! Invariants: every portal is planar, convex and of positive area, its vertices counter-clockwise
+//! Invariants: every portal is planar, strictly convex (no vertex on the line through its
+//! neighbours) and of positive area, its vertices counter-clockwise
 //! as seen from the side of its cell `to`, so that its right-hand normal points from `from` into
 //! `to`; every cell id is below the cell count; the two cells of a portal differ.
 
@@ -56,4 +57,23 @@ pub struct PortalGraph {
     pub leaf_to_cell: Vec<CellId>,
     /// How many portals of the input were not planar and were triangulated.
     pub skew_portals: u32,
+    /// What else of the input was repaired.
+    pub repairs: Repairs,
+}
+
+/// How often each documented repair was made while a graph was read; none changes a planar
+/// convex portal as a set of points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Repairs {
+    /// Vertices equal to the one before them, dropped.
+    pub repeated_vertices: u32,
+    /// Vertices of planar convex portals between their neighbours on one line, dropped.
+    pub collinear_vertices: u32,
+    /// Planar portals that are not convex, triangulated as skew ones are.
+    pub dented_portals: u32,
+    /// Triangulated portals whose fan starts from a later vertex, the one from the first not
+    /// being a tiling.
+    pub moved_fans: u32,
+    /// Triangles of a fan with no area, dropped.
+    pub vanished_triangles: u32,
 }

@@ -1,5 +1,16 @@
 //! Scenes: what is asked about, validated, in exact coordinates.
+//!
+//! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
+//! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
+//! of its own.
 
+mod build;
 mod graph;
+mod input;
+mod order;
+mod polygon;
 
-pub use graph::{CellId, Portal, PortalGraph, PortalId};
+pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
+pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs};
+pub use input::{InputError, InputErrorKind, read_graph};
+pub use order::CellOrder;

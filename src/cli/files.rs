@@ -1,0 +1,123 @@
+//! Reading inputs whole, and writing outputs whole or not at all.
+//!
+//! Invariant: a file that the user named holds either what it held before or the complete output.
+//! Output goes to a temporary name in the same folder and is renamed once everything is written.
+
+use super::exit::Failure;
+use super::interrupt;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// An input file in memory.
+#[derive(Clone, Debug)]
+pub(super) struct Input {
+    /// The path as it was given, for error messages.
+    pub name: String,
+    /// The file's bytes.
+    pub bytes: Vec<u8>,
+}
+
+impl Input {
+    /// Reads the file at `path`, or standard input for `-`.
+    pub(super) fn read(path: &Path) -> Result<Input, Failure> {
+        let bytes = if path == Path::new("-") {
+            let mut bytes = Vec::new();
+            io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+        } else {
+            fs::read(path)
+        };
+        let bytes = bytes.map_err(|error| Failure::system("read", path, &error))?;
+        Ok(Input { name: path.display().to_string(), bytes })
+    }
+
+    /// The file's name without its folders: results carry no path of a machine.
+    pub(super) fn file_name(&self) -> String {
+        let name = Path::new(&self.name).file_name();
+        name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
+    }
+}
+
+/// Writes an output to the file at `path`, or to standard output for `-` or without a path.
+pub(super) fn write(
+    path: Option<&Path>,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    match path {
+        Some(path) if path != Path::new("-") => {
+            write_file(path, content).map_err(|error| Failure::system("write", path, &error))
+        }
+        _ => write_standard_output(content),
+    }
+}
+
+/// Prints `text` to standard output.
+pub(super) fn print(text: &str) -> Result<(), Failure> {
+    write(None, |out| out.write_all(text.as_bytes()))
+}
+
+fn write_standard_output(
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    match content(&mut out).and_then(|()| out.flush()) {
+        Ok(()) => Ok(()),
+        // The reader has seen enough, as `head` does: no error of ours.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        Err(error) => Err(Failure::system("write", Path::new("standard output"), &error)),
+    }
+}
+
+fn write_file(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    // A link is written through, as every other program does.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    match fs::metadata(&target) {
+        // A device or a pipe cannot be replaced by renaming, and holds nothing to protect.
+        Ok(found) if !found.is_file() && !found.is_dir() => {
+            let mut out = BufWriter::new(OpenOptions::new().write(true).open(&target)?);
+            content(&mut out)?;
+            out.flush()
+        }
+        Ok(found) if found.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory)),
+        Ok(found) if found.permissions().readonly() => {
+            Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
+        }
+        Ok(_) | Err(_) => {
+            let mut temporary = Temporary::create(&target)?;
+            content(&mut temporary.writer)?;
+            temporary.commit(&target)
+        }
+    }
+}
+
+/// A file under a temporary name, removed when dropped.
+struct Temporary {
+    path: PathBuf,
+    writer: BufWriter<File>,
+}
+
+impl Temporary {
+    fn create(target: &Path) -> io::Result<Temporary> {
+        let name = target.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_string_lossy();
+        let path = target.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+        let file = OpenOptions::new().write(true).create_new(true).open(&path)?;
+        interrupt::remember(&path);
+        Ok(Temporary { path, writer: BufWriter::with_capacity(1 << 16, file) })
+    }
+
+    fn commit(mut self, target: &Path) -> io::Result<()> {
+        self.writer.flush()?;
+        fs::rename(&self.path, target)
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // After `commit` the name is gone, and there is nothing to remove.
+        let _ = fs::remove_file(&self.path);
+        interrupt::forget(&self.path);
+    }
+}

@@ -1,0 +1,76 @@
+//! The command line: one file a subcommand, each with its `Args` and its `run`.
+//!
+//! A subcommand parses nothing and prints nothing by itself: clap fills `Args`, `files` reads the
+//! inputs and writes the outputs (to a temporary name, then renamed), `Failure` and `Exit` carry
+//! errors and exit codes to the one place that maps them. Data goes to standard output, all else
+//! to standard error.
+
+mod exit;
+mod files;
+mod interrupt;
+mod progress;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use exit::{Exit, Failure};
+use std::ffi::OsString;
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+
+/// Exact visibility: what can be seen from where, with a proof for every answer.
+#[derive(Debug, Parser)]
+#[command(name = "stabline", version, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad input, \
+    4 undecided pairs remain, 5 a proof does not hold, 130 interrupted.";
+
+/// Every subcommand, in the order of `stabline --help`.
+#[derive(Debug, Subcommand)]
+enum Command {}
+
+impl Command {
+    fn run(self) -> Result<Exit, Failure> {
+        match self {}
+    }
+}
+
+/// Runs the command line `arguments`, the program's name first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    interrupt::install();
+    let parsed = Cli::command()
+        .try_get_matches_from(arguments)
+        .and_then(|matches| Cli::from_arg_matches(&matches));
+    let outcome = match parsed {
+        Ok(cli) => cli.command.run(),
+        Err(error) if error.use_stderr() => Err(usage(&error)),
+        Err(help) => files::print(&help.render().to_string()).map(|()| Exit::Done),
+    };
+    match outcome {
+        Ok(exit) => ExitCode::from(exit.code()),
+        Err(failure) => {
+            // Nothing is left to be told if standard error is closed as well.
+            let _ = writeln!(std::io::stderr(), "{failure}");
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+/// What clap says about the arguments: in full at a terminal, else its first line.
+fn usage(error: &clap::Error) -> Failure {
+    let text = error.render().to_string();
+    let text = text.trim_end().trim_start_matches("error: ");
+    if std::io::stderr().is_terminal() {
+        return Failure::usage(text);
+    }
+    // clap lists missing arguments on lines of their own after a colon.
+    let mut lines = text.lines();
+    let mut first = lines.next().unwrap_or_default().to_owned();
+    for line in lines.take_while(|line| line.starts_with("  ")) {
+        first.push(' ');
+        first.push_str(line.trim());
+    }
+    Failure::usage(first)
+}

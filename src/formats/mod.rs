@@ -1,0 +1,7 @@
+//! File formats: bytes to plain structs and back.
+//!
+//! A reader checks what a format says about its own shape (counts, syntax, lengths) and nothing
+//! about geometry; `scene` makes validated scenes of what comes out. No reader trusts a count in
+//! a header with an allocation.
+
+pub mod prt;

@@ -1,0 +1,9 @@
+//! Results: their types, their canonical text, and the sink that searches report progress to.
+
+mod matrix;
+mod progress;
+mod pvs;
+
+pub use matrix::{Counts, Matrix, Verdict};
+pub use progress::{Progress, Silent};
+pub use pvs::{InputId, PairWitness, PvsReport, ReportError};

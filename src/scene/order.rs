@@ -1,0 +1,113 @@
+//! Which pairs of portals need the order of crossing as a condition of its own.
+//!
+//! A line that crosses portal p into a cell and portal q out of it, each in its direction, meets
+//! them in this order without further ado if q lies on the inner side of p's plane or on it, or
+//! p on the inner side of q's plane or on it. In an exactly convex cell both hold for every pair;
+//! rounded files break it by a hair here and there (semantics, fact 4). Quadratic in the number
+//! of portals of a cell, summed over the cells.
+
+use super::polygon::{cross, difference, dot};
+use super::{PortalGraph, PortalId};
+use crate::geom::BigPoint3;
+use crate::num::Int;
+use num_traits::Signed;
+
+/// The pairs of portals of one cell whose order is not implied, and the count of cells that are
+/// not exactly convex.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CellOrder {
+    /// Cells of which some portal has a vertex strictly on the outer side of another's plane.
+    pub nonconvex_cells: u32,
+    /// Each pair with the lower id first, in ascending order.
+    pairs: Vec<[PortalId; 2]>,
+}
+
+impl CellOrder {
+    /// Examines every cell of `graph`.
+    pub fn new(graph: &PortalGraph) -> CellOrder {
+        match small_vertices(&graph.vertices) {
+            Some(vertices) => examine(graph, &vertices),
+            None => {
+                let vertices: Vec<[Int; 3]> =
+                    graph.vertices.iter().map(|v| v.coordinates.clone()).collect();
+                examine(graph, &vertices)
+            }
+        }
+    }
+
+    /// Whether a line through `p` and `q` in their directions, the one into and the other out of
+    /// the cell that they share, crosses them in this order whatever else it does. Two portals
+    /// that share both their cells count as implied: no sequence without a repeated cell has both.
+    pub fn is_implied(&self, p: PortalId, q: PortalId) -> bool {
+        self.pairs.binary_search(&[p.min(q), p.max(q)]).is_err()
+    }
+
+    /// The pairs whose order is not implied, the lower id first, in ascending order.
+    pub fn pairs(&self) -> &[[PortalId; 2]] {
+        &self.pairs
+    }
+}
+
+/// The limit of `build`, whose comment derives it, in the form that suits a point.
+fn small_vertices(vertices: &[BigPoint3]) -> Option<Vec<[i128; 3]>> {
+    let small = vertices.iter().map(|vertex| {
+        let integers = vertex.to_small()?.integers();
+        integers.iter().all(|c| c.abs() < 1 << 39).then(|| integers.map(i128::from))
+    });
+    small.collect()
+}
+
+/// A portal's plane, and the sign that its normal has as seen from a cell's inside.
+struct Plane<T> {
+    normal: [T; 3],
+    offset: T,
+}
+
+fn plane<T: Signed + Clone>(vertices: &[[T; 3]], corners: &[u32]) -> Plane<T> {
+    let [a, b, c] = [0, 1, 2].map(|i| &vertices[corners[i] as usize]);
+    let normal = cross(&difference(b, a), &difference(c, a));
+    let offset = dot(&normal, a);
+    Plane { normal, offset }
+}
+
+fn examine<T: Signed + Clone + PartialOrd>(graph: &PortalGraph, vertices: &[[T; 3]]) -> CellOrder {
+    let planes: Vec<Plane<T>> =
+        graph.portals.iter().map(|portal| plane(vertices, &portal.vertices)).collect();
+    let mut portals_of_cell = vec![Vec::new(); graph.cells.len()];
+    for (index, portal) in graph.portals.iter().enumerate() {
+        portals_of_cell[portal.from.0 as usize].push((index, false));
+        portals_of_cell[portal.to.0 as usize].push((index, true));
+    }
+    // Whether portal q has no vertex strictly on the outer side of portal p's plane, where p's
+    // normal points inwards or outwards.
+    let is_inside = |(p, inwards): (usize, bool), q: usize| {
+        let Plane { normal, offset } = &planes[p];
+        graph.portals[q].vertices.iter().all(|&vertex| {
+            let value = dot(normal, &vertices[vertex as usize]);
+            if inwards { value >= *offset } else { value <= *offset }
+        })
+    };
+    let mut order = CellOrder::default();
+    for portals in &portals_of_cell {
+        let mut convex = true;
+        for (i, &p) in portals.iter().enumerate() {
+            for &q in &portals[..i] {
+                let (p_holds_q, q_holds_p) = (is_inside(p, q.0), is_inside(q, p.0));
+                convex &= p_holds_q && q_holds_p;
+                if !p_holds_q && !q_holds_p && !share_both_cells(graph, p.0, q.0) {
+                    order.pairs.push([PortalId(q.0 as u32), PortalId(p.0 as u32)]);
+                }
+            }
+        }
+        order.nonconvex_cells += u32::from(!convex);
+    }
+    order.pairs.sort_unstable();
+    order
+}
+
+fn share_both_cells(graph: &PortalGraph, p: usize, q: usize) -> bool {
+    let (p, q) = (&graph.portals[p], &graph.portals[q]);
+    let unordered =
+        |portal: &super::Portal| (portal.from.min(portal.to), portal.from.max(portal.to));
+    unordered(p) == unordered(q)
+}
