@@ -81,6 +81,24 @@ impl<R: Ring> Cone<R> {
         &self.lineality
     }
 
+    /// The same cone in another arithmetic. Requires: its rows and rays fit there.
+    pub(super) fn converted<S: Ring>(&self) -> Cone<S> {
+        let wide = |v: &[R; 6]| v.each_ref().map(|c| S::from_int(&c.to_int()).expect("a ray fits"));
+        let narrow = |c: &R::Narrow| S::narrow(&R::narrow_to_int(c)).expect("a row fits");
+        let ray = |ray: &Ray<R>| Ray {
+            vector: wide(&ray.vector),
+            tight: ray.tight.clone(),
+            basis: ray.basis.clone(),
+        };
+        Cone {
+            rows: self.rows.iter().map(|row| row.each_ref().map(narrow)).collect(),
+            base: self.base.clone(),
+            free: self.free.clone(),
+            lineality: self.lineality.iter().map(wide).collect(),
+            rays: self.rays.iter().map(ray).collect(),
+        }
+    }
+
     /// Intersects the cone with the half-space `row · x >= 0`.
     pub(super) fn push(&mut self, row: &[R::Narrow; 6]) -> Push {
         let escaping = self.lineality.iter().position(|line| !dot(line, row).is_zero());

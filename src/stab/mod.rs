@@ -1,6 +1,7 @@
 //! Which lines pass a sequence of portals: the exact verdict, with a witness.
 
 mod cone;
+mod engine;
 mod mask;
 mod quadric;
 mod ring;

@@ -10,7 +10,8 @@
 //! more pairs than the edges, and a sign found on such a pair is found rightly.
 
 use super::cone::{Cone, dot};
-use super::ring::{Ring, sign_of};
+use super::engine::unbounded;
+use super::ring::Ring;
 use crate::num::{Int, Sign};
 
 /// A vector of the cone, or of two rays' span, in unbounded integers.
@@ -38,77 +39,70 @@ impl BothSigns {
         self.positive.is_some() && self.negative.is_some()
     }
 
-    fn note(&mut self, x: &Vector) {
-        let place = match sign_of(&quadric(x)) {
+    /// The place of the sign, if it was not found yet.
+    fn missing(&mut self, sign: Sign) -> Option<&mut Option<Vector>> {
+        let place = match sign {
             Sign::Positive => &mut self.positive,
             Sign::Negative => &mut self.negative,
             // A line on the cone's boundary: it speaks for neither side.
-            Sign::Zero => return,
+            Sign::Zero => return None,
         };
-        place.get_or_insert_with(|| x.clone());
+        place.is_none().then_some(place)
     }
 }
 
 /// Rule 3 of the mathematics: the strict signs of Q on the rays and edges of a pointed cone.
 pub(super) fn signs_on_edges<R: Ring>(cone: &Cone<R>) -> BothSigns {
-    let rays: Vec<Vector> =
-        cone.rays().iter().map(|r| r.vector.each_ref().map(R::to_int)).collect();
-    let squares: Vec<Int> = rays.iter().map(|r| side(r, r)).collect();
+    let rays = cone.rays();
     let mut signs = BothSigns::default();
-    rays.iter().for_each(|ray| signs.note(ray));
-    let tight = |i: usize| &cone.rays()[i].tight;
+    let mut squares = Vec::with_capacity(rays.len());
+    for ray in rays {
+        let square = R::side(&ray.vector, &ray.vector);
+        if let Some(place) = signs.missing(R::sign_of(&square)) {
+            *place = Some(unbounded(&ray.vector));
+        }
+        squares.push(square);
+    }
     for i in 0..rays.len() {
         for j in i + 1..rays.len() {
             if signs.found() {
                 return signs;
             }
             // Adjacent rays share four rows; whether the others are adjacent does not matter.
-            if tight(i).intersection(tight(j)).len() >= 4 {
-                note_edge(&mut signs, [&rays[i], &rays[j]], [&squares[i], &squares[j]]);
+            if rays[i].tight.intersection(&rays[j].tight).len() >= 4 {
+                let rs = R::side(&rays[i].vector, &rays[j].vector);
+                // Where the rays meet (zero), Q on the edge is a sum of its values on them.
+                let Some(place) = signs.missing(R::sign_of(&rs)) else { continue };
+                if R::square_exceeds(&rs, &squares[i], &squares[j]) {
+                    let ends = [unbounded(&rays[i].vector), unbounded(&rays[j].vector)];
+                    *place = Some(extremum(&ends));
+                }
             }
         }
     }
     signs
 }
 
-/// Looks for the missing sign between two rays.
-fn note_edge(signs: &mut BothSigns, [r, s]: [&Vector; 2], [rr, ss]: [&Int; 2]) {
-    let rs = side(r, s);
-    let opposite = match sign_of(&rs) {
-        Sign::Positive => signs.positive.is_none(),
-        Sign::Negative => signs.negative.is_none(),
-        // The rays meet: Q on the edge is a sum of its values on them.
-        Sign::Zero => false,
-    };
-    if opposite && &rs * &rs > rr * ss {
-        // The extremum of Q on the edge, up to a positive factor: |ss| r + |rs| s where ss ≠ 0
-        // (its derivative vanishes there), and any long stretch of r where both are zero.
-        signs.note(&extremum([r, s], [rr, ss], &rs));
-    }
-}
-
-/// A point between r and s where Q has the sign of `rs`.
-fn extremum([r, s]: [&Vector; 2], [rr, ss]: [&Int; 2], rs: &Int) -> Vector {
+/// The point between r and s where Q is extremal, or beyond it where r and s are lines: there Q
+/// has the sign of G_rs. Requires: G_rs² > G_rr G_ss, and no square of the sign of G_rs.
+fn extremum([r, s]: &[Vector; 2]) -> Vector {
     // Q(u r + v s) = (rr u² + 2 rs u v + ss v²) / 2 with rr, ss of the sign opposite to rs or 0.
-    let (rr, ss, rs) = (rr.magnitude(), ss.magnitude(), rs.magnitude());
-    let zero = num_bigint::BigUint::ZERO;
-    // u = |ss| (or 1), v = |rs| (or 1): with ss ≠ 0, |rs|·(2 |rs| |ss| - |ss| |rs|) - |rr| |ss|² is
-    // |ss| (rs² - rr ss) > 0; with ss = 0, any u/v below 2 |rs| / |rr| does.
-    let (u, v) = if *ss != zero { (ss.clone(), rs.clone()) } else { (rs.clone(), rr + 1u8) };
-    let (u, v) = (Int::from(u), Int::from(v));
+    let size = |x: &Vector, y: &Vector| Int::from(side(x, y).magnitude().clone());
+    let (rr, ss, rs) = (size(r, r), size(s, s), size(r, s));
+    // With ss ≠ 0, u = |ss| and v = |rs|: 2|rs|·|rs||ss| - |rr||ss|² - |ss||rs|² =
+    // |ss| (rs² - rr ss) > 0. With ss = 0, any u/v below 2|rs|/|rr| does.
+    let (u, v) = if ss != Int::ZERO { (ss, rs) } else { (rs, rr + 1) };
     std::array::from_fn(|i| &u * &r[i] + &v * &s[i])
 }
 
 /// Rule 5: with order half-spaces, a sign may hide in a 3-face whose edges all lack it, behind
 /// three pairwise skew rows. Looks there, for rows that are lines, `ordered` saying which belong to
 /// no polygon.
-pub(super) fn signs_behind_triples<R: Ring>(
+pub(super) fn signs_behind_triples(
     signs: &mut BothSigns,
-    cone: &Cone<R>,
+    rays: &[Vector],
     rows: &[(Vector, bool)],
 ) {
-    let rays: Vec<Vector> =
-        cone.rays().iter().map(|r| r.vector.each_ref().map(R::to_int)).collect();
     // A face that hides a whole regulus has at least three rays, all tight on the triple.
     let on =
         |row: &Vector| rays.iter().map(|ray| pairing(row, ray) == Int::ZERO).collect::<Vec<_>>();
@@ -132,7 +126,7 @@ fn look_behind(signs: &mut BothSigns, triple: [&Vector; 3], rows: &[(Vector, boo
     let [a, b, c] = triple;
     // Rows are lines with direction and moment exchanged, which leaves side products alone.
     let product = side(a, b) * side(b, c) * side(c, a);
-    let wanted = match sign_of(&product) {
+    let wanted = match Sign::of(&product) {
         Sign::Positive if signs.negative.is_none() => Sign::Negative,
         Sign::Negative if signs.positive.is_none() => Sign::Positive,
         // Two of the rows meet, so they bound no regulus.
@@ -140,8 +134,10 @@ fn look_behind(signs: &mut BothSigns, triple: [&Vector; 3], rows: &[(Vector, boo
     };
     if let Some(x) = complement_vector(triple, wanted) {
         for x in [x.clone(), x.map(|c| -c)] {
-            if rows.iter().all(|(row, _)| sign_of(&pairing(row, &x)) != Sign::Negative) {
-                signs.note(&x);
+            if rows.iter().all(|(row, _)| Sign::of(&pairing(row, &x)) != Sign::Negative) {
+                if let Some(place) = signs.missing(wanted) {
+                    *place = Some(x);
+                }
             }
         }
     }
@@ -179,7 +175,7 @@ fn complement_vector(rows: [&Vector; 3], wanted: Sign) -> Option<Vector> {
         tried.push(std::array::from_fn(|i| &yy * &z[i] - &yz * &y[i]));
         tried.extend([y, z]);
     }
-    tried.into_iter().find(|x| sign_of(&quadric(x)) == wanted)
+    tried.into_iter().find(|x| Sign::of(&quadric(x)) == wanted)
 }
 
 /// A basis of the common zero of three independent rows.

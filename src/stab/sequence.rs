@@ -9,7 +9,6 @@
 
 use crate::geom::BigPoint3;
 use crate::num::{Int, Sign};
-use crate::stab::ring::sign_of;
 use num_integer::Integer;
 
 /// Why a polygon is not a portal.
@@ -93,7 +92,7 @@ impl Portal3 {
             let inward = cross(&normal, direction);
             for (vertex, v) in vertices.iter().enumerate() {
                 let height = dot3(&inward, &sub(&v.coordinates, &vertices[edge].coordinates));
-                match sign_of(&height) {
+                match Sign::of(&height) {
                     // On the edge's line: one of its ends, or a vertex in a straight side.
                     Sign::Zero | Sign::Positive => {}
                     Sign::Negative => return Err(PortalError::NotConvex { edge, vertex }),

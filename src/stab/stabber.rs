@@ -11,9 +11,9 @@
 //! 3. Else open iff the quadric takes both strict signs on the cone's rays and edges; with order
 //!    half-spaces, or behind three of their rows.
 
-use super::cone::{Cone, Push};
-use super::quadric::{BothSigns, Vector, signs_behind_triples, signs_on_edges};
-use super::ring::Ring;
+use super::cone::Push;
+use super::engine::{Engine, Range};
+use super::quadric::{BothSigns, Vector, signs_behind_triples};
 use super::sequence::Portal3;
 use super::witness::{self, Interior, Witness};
 use crate::num::Int;
@@ -23,7 +23,9 @@ use crate::num::Int;
 struct Level {
     portal: Portal3,
     ordered: bool,
-    cone: Cone<Int>,
+    cone: Engine,
+    /// The range of all rows up to here.
+    range: Range,
     /// Some point is strictly inside all half-spaces up to here.
     strict: bool,
 }
@@ -51,20 +53,25 @@ impl Stabber {
     ///
     /// Two portals in one plane are crossed in one point, so the order asks nothing of them.
     pub fn push(&mut self, portal: &Portal3, order: bool) {
-        let (mut cone, mut strict) = match self.levels.last() {
-            Some(level) => (level.cone.clone(), level.strict),
-            None => {
-                self.origin = portal.vertices()[0].coordinates.clone();
-                (Cone::everything(), true)
-            }
-        };
-        if strict {
-            let before = self.levels.last().filter(|_| order).map(|level| &level.portal);
-            for (row, _) in rows_of(portal, before, &self.origin) {
-                strict = strict && cone.push(&row) == Push::Strict;
-            }
+        if self.levels.is_empty() {
+            self.origin = portal.vertices()[0].coordinates.clone();
         }
-        self.levels.push(Level { portal: portal.clone(), ordered: order, cone, strict });
+        let last = self.levels.last();
+        let before = last.filter(|_| order).map(|level| &level.portal);
+        let rows = rows_of(portal, before, &self.origin);
+        let range = last.map(|level| level.range).unwrap_or_default();
+        let range = range.with(rows.iter().map(|(row, _)| row));
+        let mut strict = last.is_none_or(|level| level.strict);
+        let mut cone = match last {
+            Some(level) if strict => level.cone.widened_for(range),
+            // Nothing is asked of the cone of a sequence that cannot be stabbed.
+            Some(_) => Engine::everything(),
+            None => Engine::everything().widened_for(range),
+        };
+        for (row, _) in &rows {
+            strict = strict && cone.push(row) == Push::Strict;
+        }
+        self.levels.push(Level { portal: portal.clone(), ordered: order, cone, range, strict });
     }
 
     /// Takes the last portal off. Does nothing to the empty sequence.
@@ -77,7 +84,7 @@ impl Stabber {
         match self.levels.last() {
             None => true,
             Some(level) if !level.strict => false,
-            Some(level) => !level.cone.lineality().is_empty() || self.signs(&level.cone).found(),
+            Some(level) => level.cone.has_lineality() || self.signs(&level.cone).found(),
         }
     }
 
@@ -87,33 +94,23 @@ impl Stabber {
         if !level.strict {
             return None;
         }
-        let ints = |v: &[Int; 6]| v.clone();
-        let lineality: Vec<Vector> = level.cone.lineality().iter().map(ints).collect();
+        let lineality = level.cone.lineality();
         let signs =
             if lineality.is_empty() { self.signs(&level.cone) } else { BothSigns::default() };
         if lineality.is_empty() && !signs.found() {
             return None;
         }
-        let interior = Interior {
-            rays: level
-                .cone
-                .rays()
-                .iter()
-                .map(|ray| ray.vector.each_ref().map(Ring::to_int))
-                .collect(),
-            lineality,
-            signs,
-            origin: self.origin.clone(),
-        };
+        let rays = level.cone.rays();
+        let interior = Interior { rays, lineality, signs, origin: self.origin.clone() };
         let portals: Vec<&Portal3> = self.levels.iter().map(|level| &level.portal).collect();
         let orders: Vec<bool> = self.levels.iter().map(|level| level.ordered).collect();
         Some(witness::find(interior, &portals, &orders))
     }
 
-    fn signs(&self, cone: &Cone<Int>) -> BothSigns {
-        let mut signs = signs_on_edges(cone);
+    fn signs(&self, cone: &Engine) -> BothSigns {
+        let mut signs = cone.signs();
         if !signs.found() && self.levels.iter().skip(1).any(|level| level.ordered) {
-            signs_behind_triples(&mut signs, cone, &self.rows());
+            signs_behind_triples(&mut signs, &cone.rays(), &self.rows());
         }
         signs
     }

@@ -13,7 +13,6 @@
 //! computed for the one of the two directions that comes first lexicographically.
 
 use super::quadric::{BothSigns, Vector, quadric, side};
-use super::ring::sign_of;
 use super::sequence::{Portal3, cross, dot3, sub};
 use super::stabber::rows_of;
 use crate::num::{Int, Rational, Sign};
@@ -102,7 +101,7 @@ impl Problem {
     /// Is the line strictly inside every half-space?
     fn passes(&self, line: &Vector) -> bool {
         let pairing = |row: &Vector| row.iter().zip(line).map(|(a, x)| a * x).sum::<Int>();
-        self.rows.iter().all(|row| sign_of(&pairing(row)) == Sign::Positive)
+        self.rows.iter().all(|row| Sign::of(&pairing(row)) == Sign::Positive)
     }
 
     /// A line near the quadric's crossing between an interior point and one beyond the quadric.
@@ -113,17 +112,17 @@ impl Problem {
             ray.each_ref().map(|c| c << shift)
         };
         let inside = primitive(rays.iter().fold(zero(), |sum, ray| plus(&sum, &levelled(ray))));
-        let here = sign_of(&quadric(&inside));
+        let here = Sign::of(&quadric(&inside));
         if here == Sign::Zero {
             return inside;
         }
-        let others = rays.iter().filter(|ray| sign_of(&quadric(ray)) == -here);
+        let others = rays.iter().filter(|ray| Sign::of(&quadric(ray)) == -here);
         let sum = others.clone().fold(zero(), |sum, ray| plus(&sum, &levelled(ray)));
         beyond.sort();
         let mut candidates = vec![sum];
         candidates.extend(others.cloned());
         candidates.extend(beyond);
-        let outside = candidates.into_iter().find(|x| sign_of(&quadric(x)) == -here);
+        let outside = candidates.into_iter().find(|x| Sign::of(&quadric(x)) == -here);
         let outside = outside.expect("the quadric takes both signs on an open sequence's cone");
         self.crossing(&inside, &outside, here)
     }
@@ -143,7 +142,7 @@ impl Problem {
                 unit *= 2;
                 low *= 2;
                 let middle: Int = &low + 1;
-                if sign_of(&at(&middle, &unit)) == here {
+                if Sign::of(&at(&middle, &unit)) == here {
                     low = middle;
                 }
             }
@@ -186,7 +185,7 @@ impl Problem {
         let [first, last]: [([Int; 3], Int); 2] = self.ends.each_ref().map(meet);
         let apart: Int =
             (0..3).map(|i| (&last.0[i] * &first.1 - &first.0[i] * &last.1) * &d[i]).sum();
-        match sign_of(&apart) {
+        match Sign::of(&apart) {
             Sign::Positive => [first, last],
             Sign::Negative => [last, first],
             // Both planes are crossed in one point: any second point of the line will do.
@@ -212,7 +211,7 @@ fn along_lineality(rays: &[Vector], lineality: &[Vector]) -> Vector {
             // Q(inside + t line) = Q(inside) + t slope, as lines of the lineality space have Q = 0
             // (they lie in every portal's plane).
             let value = quadric(&inside);
-            match sign_of(&slope) {
+            match Sign::of(&slope) {
                 Sign::Positive => {
                     return std::array::from_fn(|i| &slope * &inside[i] - &value * &line[i]);
                 }
@@ -319,5 +318,5 @@ fn moved(x: &Vector, shift: &[Int; 3]) -> Vector {
 
 /// The sign of the first coordinate that is not zero.
 fn leading_sign(x: &Vector) -> Sign {
-    x.iter().map(sign_of).find(|&sign| sign != Sign::Zero).unwrap_or(Sign::Zero)
+    x.iter().map(Sign::of).find(|&sign| sign != Sign::Zero).unwrap_or(Sign::Zero)
 }
