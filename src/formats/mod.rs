@@ -4,4 +4,6 @@
 //! about geometry; `scene` makes validated scenes of what comes out. No reader trusts a count in
 //! a header with an allocation.
 
+pub mod bsp;
+pub mod npy;
 pub mod prt;
