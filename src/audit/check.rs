@@ -6,6 +6,8 @@
 //! are counted apart, unless the policy says that touching lines see; undecided pairs of the
 //! golden result are counted apart too (semantics, fact 2). Quadratic in the number of cells.
 
+pub mod report;
+
 use crate::report::{Matrix, Verdict};
 
 /// What to ask of a candidate about grazing pairs.
@@ -193,6 +195,11 @@ pub fn check(golden: &Matrix, candidate: &Presence, policy: Policy) -> Result<Sc
         }
     }
     Ok(score)
+}
+
+/// The JSON schema of `stabline-check/1`.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(report::CheckReport).to_value()
 }
 
 #[cfg(test)]

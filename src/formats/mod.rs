@@ -5,5 +5,6 @@
 //! a header with an allocation.
 
 pub mod bsp;
+pub mod json;
 pub mod npy;
 pub mod prt;
