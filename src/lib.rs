@@ -5,5 +5,7 @@ pub mod cli;
 pub mod formats;
 pub mod geom;
 pub mod num;
+pub mod predicates;
+pub mod pvs;
 pub mod report;
 pub mod scene;

@@ -8,10 +8,12 @@
 mod decimal;
 mod number;
 mod sign;
+mod wide;
 
 pub use decimal::{DecimalError, parse_decimal};
 pub use number::Number;
 pub use sign::Sign;
+pub use wide::{Int192, Int256, Int320, Int512, Wide};
 
 /// An unbounded integer.
 pub type Int = num_bigint::BigInt;

@@ -1,0 +1,2 @@
+//! Every decision about geometry: exact signs, each by the cheapest stage that can prove it.
+pub mod filtered;
