@@ -340,3 +340,11 @@ impl Arena {
         }
     }
 }
+
+impl Arena {
+    pub fn exact_portals(&self, path: &[Directed]) -> Vec<crate::stab::Portal3> {
+        let polys: Vec<Vec<[Int; 3]>> = path.iter().map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect()).collect();
+        let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
+        polys.into_iter().map(|p| crate::stab::Portal3::new(&p.into_iter().map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) }).collect::<Vec<_>>()).unwrap()).collect()
+    }
+}

@@ -38,7 +38,7 @@ pub fn run(graph: &PortalGraph) {
     println!("open ordered with diagonal {} wanted {}", 2 * open + n as usize, 2 * res.iter().map(|r| r.1 as usize).sum::<usize>() + n as usize);
     let mut t = search::Stats::default();
     for r in &res { let s = &r.3; macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
-        add!(nodes, compat, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
+        add!(nodes, nogood, cones, cone_portals, cone_open, t_cone, compat, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
 
         for i in 0..8 { t.support[i] += s.support[i]; } }
     println!("{t:#?}");

@@ -13,7 +13,7 @@ pub(crate) struct Line { pub p: [f64; 3], pub q: [f64; 3] }
 
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
-    pub nodes: u64, pub compat: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
+    pub nodes: u64, pub nogood: u64, pub cones: u64, pub cone_portals: u64, pub cone_open: u64, pub t_cone: f64, pub compat: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
     pub parent_line: u64, pub proposed: u64, pub undecided: u64, pub planes: u64, pub open: u64, pub t_flood: f64, pub t_sep: f64, pub t_norm: f64, pub t_gordan: f64, pub t_line: f64,
     pub support: [u64; 8],
 }
@@ -43,6 +43,9 @@ pub(crate) struct Search<'a> {
     hints: Hints,
     candidates: Bits,
     goals: Bits,
+    nogoods: rustc_hash::FxHashMap<Directed, Vec<Vec<Directed>>>,
+    on_path: Bits,
+    half_owner: Vec<u8>,
     goal_portals: Bits,
     cache: SeparatorCache,
     pub stats: Stats,
@@ -52,7 +55,7 @@ impl<'a> Search<'a> {
     pub fn new(arena: &'a Arena, bounds: &'a SharedBounds) -> Self {
         Search {
             arena, bounds, wanted: arena.no_cells(), found: Vec::new(), path: Vec::new(), crossed: arena.no_cells(), levels: Vec::new(), halves: Vec::new(), owners: Vec::new(), flood: Flood::new(arena),
-            planes: Vec::new(), active: Vec::new(), hints: Hints::default(), candidates: arena.no_portals(), goals: arena.no_cells(), goal_portals: arena.no_portals(), stats: Stats::default(), cache: SeparatorCache::default(),
+            planes: Vec::new(), active: Vec::new(), hints: Hints::default(), candidates: arena.no_portals(), goals: arena.no_cells(), nogoods: Default::default(), on_path: arena.no_portals(), half_owner: Vec::new(), goal_portals: arena.no_portals(), stats: Stats::default(), cache: SeparatorCache::default(),
         }
     }
 
@@ -84,6 +87,7 @@ impl<'a> Search<'a> {
 
     fn leave(&mut self) {
         let last = self.path.pop().unwrap();
+        self.on_path.remove(last);
         self.crossed.remove(self.arena.to(last));
         let depth = self.path.len();
         for id in self.planes.drain(self.levels[depth].planes..) { self.active[id as usize] = false; }
@@ -97,6 +101,8 @@ impl<'a> Search<'a> {
         if self.levels.len() <= depth {
             self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0, planes: 0 });
         }
+        if self.is_nogood(next) { self.stats.nogood += 1; self.path.push(next); self.crossed.insert(arena.to(next)); self.on_path.insert(next); self.levels[depth].planes = self.planes.len(); return false; }
+        self.on_path.insert(next);
         self.path.push(next);
         self.crossed.insert(arena.to(next));
         let t0 = std::time::Instant::now();
@@ -186,13 +192,15 @@ impl<'a> Search<'a> {
         let width = arena.radius(first).min(arena.radius(last));
         let frame = Frame::new(arena.center(first).into(), arena.center(last).into(), width);
         self.halves.clear();
-        for &portal in &self.path {
+        self.half_owner.clear();
+        for (i, &portal) in self.path.iter().enumerate() {
             let ids = arena.vertices(portal);
             let mut prev = frame.point(arena.point(ids[ids.len() - 1]).floats().into());
             let at = self.halves.len();
             for &v in ids {
                 let next = frame.point(arena.point(v).floats().into());
                 self.halves.push(half(prev, next));
+                self.half_owner.push(i as u8);
                 prev = next;
             }
             self.halves[at..].rotate_left(1);
@@ -241,18 +249,71 @@ impl<'a> Search<'a> {
         }
         let mut norm = self.levels[depth].norm.clone();
         let frame = self.frame();
-        if let Outcome::Inside(x) = norm.search(&self.halves, true)
-            && let Some((foot, d)) = propose_line(&mut self.halves, x)
-            && let Some(line) = self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth)
-        {
-            self.levels[depth].norm = norm;
-            self.stats.proposed += 1;
-            self.accept(depth, line);
-            return true;
+        let mut members = vec![0, depth];
+        if let Outcome::Inside(x) = norm.search(&self.halves, true) {
+            match propose_line(&mut self.halves, x) {
+                Ok((foot, d)) => {
+                    if let Some(line) = self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth) {
+                        self.levels[depth].norm = norm;
+                        self.stats.proposed += 1;
+                        self.accept(depth, line);
+                        return true;
+                    }
+                }
+                Err(set) => {
+                    members.extend(set.iter().map(|&i| self.half_owner[i as usize] as usize));
+                }
+            }
         }
         self.stats.undecided += 1;
-        if std::env::var("DBG").is_ok() { eprintln!("U {} {:?}", self.path.len(), self.path); }
-        false
+        let t0 = std::time::Instant::now();
+        let open = self.decide_exactly(members);
+        self.stats.t_cone += t0.elapsed().as_secs_f64();
+        if open {
+            self.stats.cone_open += 1;
+            self.accept(depth, Line { p: [f64::NAN; 3], q: [f64::NAN; 3] });
+            self.levels[depth].line = None;
+        }
+        open
+    }
+
+    /// growing subsets of the path
+    fn decide_exactly(&mut self, mut members: Vec<usize>) -> bool {
+        loop {
+            members.sort_unstable();
+            members.dedup();
+            if members.len() < self.path.len() {
+                // floats: does the subset admit a line?
+                let halves: Vec<Half> = self.halves.iter().zip(&self.half_owner).filter(|(_, o)| members.contains(&(**o as usize))).map(|(h, _)| *h).collect();
+                let mut sub = halves;
+                let mut search = NormPoint::default();
+                if let Outcome::Inside(x) = search.search(&sub, true) && let Ok((foot, d)) = propose_line(&mut sub, x) {
+                    let foot = DVec3::from(foot);
+                    let m = foot.cross(d.into());
+                    let line: Half = [d[0], d[1], d[2], m.x, m.y, m.z];
+                    // the worst violated portal joins
+                    let worst = self.halves.iter().zip(&self.half_owner).map(|(h, o)| (super::propose::dot(h, &line), *o as usize)).filter(|(_, o)| !members.contains(o)).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+                    members.push(worst.1);
+                    continue;
+                }
+            }
+            let sub: Vec<Directed> = members.iter().map(|&i| self.path[i]).collect();
+            let portals = self.arena.exact_portals(&sub);
+            let refs: Vec<_> = portals.iter().collect();
+            self.stats.cones += 1;
+            self.stats.cone_portals += sub.len() as u64;
+            let Some(_witness) = crate::stab::decide_open(&refs, &[]) else {
+                let last = *sub.last().unwrap();
+                self.nogoods.entry(last).or_default().push(sub[..sub.len() - 1].to_vec());
+                return false;
+            };
+            if members.len() == self.path.len() { return true; }
+            members = (0..self.path.len()).collect();
+        }
+    }
+
+    fn is_nogood(&self, next: Directed) -> bool {
+        self.nogoods.get(&next).is_some_and(|list| list.iter().any(|set| set.iter().all(|p| self.on_path.has(*p))))
     }
 
     fn snap(&self, foot: DVec3, d: DVec3, depth: usize) -> Option<Line> {
@@ -260,8 +321,8 @@ impl<'a> Search<'a> {
         let p = foot + d * (DVec3::from(self.arena.center(self.path[0])) - foot).dot(d);
         let q = foot + d * (DVec3::from(self.arena.center(self.path[depth])) - foot).dot(d);
         let q = if (q - p).length() < 64.0 { p + d * 64.0 } else { q };
-        for bits in [0, 3, 6, 10, 16, 24] {
-            let s = f64::from(1u32 << bits);
+        for bits in [0, 3, 6, 10, 16, 24, 32, 40] {
+            let s = (1u64 << bits) as f64;
             let line = Line { p: (p * s).round().to_array().map(|c| c / s), q: (q * s).round().to_array().map(|c| c / s) };
             if self.path.iter().all(|&portal| self.confirm_portal(&line, portal)) {
                 return Some(line);
