@@ -4,17 +4,40 @@ use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use super::bounds::{SharedBounds, Flood};
 use super::propose::{Bivector, Frame, Half, NormPoint, Outcome, half, propose_line};
-use glam::DVec3;
-use crate::predicates::filtered::{Approx3, FilteredLine};
 use super::separators::SeparatorCache;
+use crate::predicates::filtered::{Approx3, FilteredLine};
+use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line { pub p: [f64; 3], pub q: [f64; 3] }
+pub(crate) struct Line {
+    pub p: [f64; 3],
+    pub q: [f64; 3],
+}
 
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
+<<<<<<< HEAD
     pub nodes: u64, pub nogood: u64, pub cones: u64, pub cone_portals: u64, pub cone_open: u64, pub t_cone: f64, pub compat: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
     pub parent_line: u64, pub proposed: u64, pub undecided: u64, pub planes: u64, pub open: u64, pub t_flood: f64, pub t_sep: f64, pub t_norm: f64, pub t_gordan: f64, pub t_line: f64,
+=======
+    pub nodes: u64,
+    pub floods: u64,
+    pub no_goal: u64,
+    pub inherited: u64,
+    pub solved: u64,
+    pub gordan: u64,
+    pub gordan_unproved: u64,
+    pub parent_line: u64,
+    pub proposed: u64,
+    pub undecided: u64,
+    pub planes: u64,
+    pub open: u64,
+    pub t_flood: f64,
+    pub t_sep: f64,
+    pub t_norm: f64,
+    pub t_gordan: f64,
+    pub t_line: f64,
+>>>>>>> formats
     pub support: [u64; 8],
 }
 
@@ -54,15 +77,35 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     pub fn new(arena: &'a Arena, bounds: &'a SharedBounds) -> Self {
         Search {
+<<<<<<< HEAD
             arena, bounds, wanted: arena.no_cells(), found: Vec::new(), path: Vec::new(), crossed: arena.no_cells(), levels: Vec::new(), halves: Vec::new(), owners: Vec::new(), flood: Flood::new(arena),
             planes: Vec::new(), active: Vec::new(), hints: Hints::default(), candidates: arena.no_portals(), goals: arena.no_cells(), nogoods: Default::default(), on_path: arena.no_portals(), half_owner: Vec::new(), goal_portals: arena.no_portals(), stats: Stats::default(), cache: SeparatorCache::default(),
+=======
+            arena,
+            bounds,
+            wanted: arena.no_cells(),
+            found: Vec::new(),
+            path: Vec::new(),
+            crossed: arena.no_cells(),
+            levels: Vec::new(),
+            halves: Vec::new(),
+            owners: Vec::new(),
+            flood: Flood::new(arena),
+            planes: Vec::new(),
+            candidates: arena.no_portals(),
+            goals: arena.no_cells(),
+            stats: Stats::default(),
+            cache: SeparatorCache::default(),
+>>>>>>> formats
         }
     }
 
     pub fn run(&mut self, source: u32) {
         self.crossed.insert(source);
         for &first in self.arena.leaving(source) {
-            if self.wanted.is_empty() { break; }
+            if self.wanted.is_empty() {
+                break;
+            }
             if self.enter(first) {
                 self.visit();
             }
@@ -76,8 +119,13 @@ impl<'a> Search<'a> {
         let last = *self.path.last().unwrap();
         let arena = self.arena;
         for &next in arena.leaving(arena.to(last)) {
-            if self.wanted.is_empty() { return; }
-            if !self.levels[self.path.len() - 1].might.has(next) || self.crossed.has(arena.to(next)) { continue; }
+            if self.wanted.is_empty() {
+                return;
+            }
+            if !self.levels[self.path.len() - 1].might.has(next) || self.crossed.has(arena.to(next))
+            {
+                continue;
+            }
             if self.enter(next) {
                 self.visit();
             }
@@ -99,7 +147,17 @@ impl<'a> Search<'a> {
         let arena = self.arena;
         let depth = self.path.len();
         if self.levels.len() <= depth {
+<<<<<<< HEAD
             self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0, planes: 0 });
+=======
+            self.levels.push(Level {
+                might: arena.no_portals(),
+                norm: NormPoint::default(),
+                x: None,
+                line: None,
+                halves: 0,
+            });
+>>>>>>> formats
         }
         if self.is_nogood(next) { self.stats.nogood += 1; self.path.push(next); self.crossed.insert(arena.to(next)); self.on_path.insert(next); self.levels[depth].planes = self.planes.len(); return false; }
         self.on_path.insert(next);
@@ -111,10 +169,18 @@ impl<'a> Search<'a> {
             self.candidates = self.bounds.after(next).snapshot();
             self.sift(next, depth, 0..0)
         } else {
+<<<<<<< HEAD
             self.candidates.assign_shared_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
             self.sift(next, depth, 0..1) && {
                 std::mem::swap(&mut self.candidates, &mut self.flood.reached);
                 depth == 1 || self.sift(next, depth, 1..depth)
+=======
+            self.candidates
+                .assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
+            for i in 0..depth {
+                let planes = self.cache.get(arena, self.path[i], next);
+                self.planes.extend_from_slice(planes);
+>>>>>>> formats
             }
         };
         if depth == 1 && ok { std::mem::swap(&mut self.candidates, &mut self.flood.reached); }
@@ -128,10 +194,20 @@ impl<'a> Search<'a> {
         let t0 = std::time::Instant::now();
         let ok = self.feasible(depth);
         self.stats.t_norm += t0.elapsed().as_secs_f64();
-        if !ok { return false; }
+        if !ok {
+            return false;
+        }
         let t0 = std::time::Instant::now();
-        let open = if self.wanted.has(arena.to(next)) { self.decide(next, depth) } else {
-            self.levels[depth].line = if depth > 0 { self.levels[depth - 1].line.filter(|l| self.confirm_portal(l, next)) } else { None }; true };
+        let open = if self.wanted.has(arena.to(next)) {
+            self.decide(next, depth)
+        } else {
+            self.levels[depth].line = if depth > 0 {
+                self.levels[depth - 1].line.filter(|l| self.confirm_portal(l, next))
+            } else {
+                None
+            };
+            true
+        };
         self.stats.t_line += t0.elapsed().as_secs_f64();
         open
     }
@@ -151,6 +227,7 @@ impl<'a> Search<'a> {
         let (hints, cache, planes) = (&self.hints, &self.cache, &self.planes[first_plane..]);
         self.flood.run_hinted(arena, next, &self.candidates, |t| hints.any_behind(arena.center(t), |i| arena.wholly_behind_exact(cache.plane(planes[i]), t)));
         self.goals.assign_intersection(&self.flood.entered, &self.wanted);
+<<<<<<< HEAD
         let _ = depth;
         !self.goals.is_empty()
     }
@@ -163,13 +240,22 @@ impl<'a> Search<'a> {
         for t in self.flood.reached.clone().iter() {
             if !self.goal_portals.has(t) && !self.bounds.after(t).intersects(&self.goal_portals) { self.flood.reached.remove(t); self.stats.compat += 1; }
         }
+=======
+        if self.goals.is_empty() {
+            return false;
+        }
+        // backward
+>>>>>>> formats
         let might = &mut self.levels[depth].might;
         might.clear();
         let mut stack: Vec<u32> = self.goals.iter().collect();
         while let Some(cell) = stack.pop() {
             for &out in arena.leaving(cell) {
                 let into = reverse(out);
-                if self.flood.reached.has(into) && might.insert(into) && self.goals.insert(arena.from(into)) {
+                if self.flood.reached.has(into)
+                    && might.insert(into)
+                    && self.goals.insert(arena.from(into))
+                {
                     stack.push(arena.from(into));
                 }
             }
@@ -183,7 +269,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn at(&self, v: u32) -> DVec3 { DVec3::from(self.arena.point(v).floats()) }
+    fn at(&self, v: u32) -> DVec3 {
+        DVec3::from(self.arena.point(v).floats())
+    }
 
     /// the frame and halves of the current path
     fn frame(&mut self) -> Frame {
@@ -210,8 +298,14 @@ impl<'a> Search<'a> {
 
     fn feasible(&mut self, depth: usize) -> bool {
         let old = if depth == 0 { 0 } else { self.levels[depth - 1].halves };
-        let (norm, x) = if depth == 0 { (NormPoint::default(), None) } else { (self.levels[depth - 1].norm.clone(), self.levels[depth - 1].x) };
-        let inherited = x.filter(|x| self.owners[old..].iter().all(|&[u, v]| x.side(self.at(u), self.at(v)) > 0.0));
+        let (norm, x) = if depth == 0 {
+            (NormPoint::default(), None)
+        } else {
+            (self.levels[depth - 1].norm.clone(), self.levels[depth - 1].x)
+        };
+        let inherited = x.filter(|x| {
+            self.owners[old..].iter().all(|&[u, v]| x.side(self.at(u), self.at(v)) > 0.0)
+        });
         let n = self.owners.len();
         let level = &mut self.levels[depth];
         level.halves = n;
@@ -226,14 +320,21 @@ impl<'a> Search<'a> {
         let frame = self.frame();
         let level = &mut self.levels[depth];
         match level.norm.search(&self.halves, false) {
-            Outcome::Inside(x) => { level.x = Some(frame.world_bivector(&x)); true }
+            Outcome::Inside(x) => {
+                level.x = Some(frame.world_bivector(&x));
+                true
+            }
             Outcome::Excluded(set) => {
                 let t0 = std::time::Instant::now();
-                let edges: Vec<[u32; 2]> = set.iter().map(|&(i, _)| self.owners[i as usize]).collect();
+                let edges: Vec<[u32; 2]> =
+                    set.iter().map(|&(i, _)| self.owners[i as usize]).collect();
                 let proved = self.arena.excluded(&edges);
                 self.stats.t_gordan += t0.elapsed().as_secs_f64();
                 self.stats.support[set.len()] += 1;
-                if proved { self.stats.gordan += 1; return false; }
+                if proved {
+                    self.stats.gordan += 1;
+                    return false;
+                }
                 self.stats.gordan_unproved += 1;
                 level.x = None;
                 true
@@ -242,13 +343,17 @@ impl<'a> Search<'a> {
     }
 
     fn decide(&mut self, next: Directed, depth: usize) -> bool {
-        if depth > 0 && let Some(line) = self.levels[depth - 1].line && self.confirm_portal(&line, next) {
+        if depth > 0
+            && let Some(line) = self.levels[depth - 1].line
+            && self.confirm_portal(&line, next)
+        {
             self.stats.parent_line += 1;
             self.accept(depth, line);
             return true;
         }
         let mut norm = self.levels[depth].norm.clone();
         let frame = self.frame();
+<<<<<<< HEAD
         let mut members = vec![0, depth];
         if let Outcome::Inside(x) = norm.search(&self.halves, true) {
             match propose_line(&mut self.halves, x) {
@@ -314,6 +419,23 @@ impl<'a> Search<'a> {
 
     fn is_nogood(&self, next: Directed) -> bool {
         self.nogoods.get(&next).is_some_and(|list| list.iter().any(|set| set.iter().all(|p| self.on_path.has(*p))))
+=======
+        if let Outcome::Inside(x) = norm.search(&self.halves, true)
+            && let Some((foot, d)) = propose_line(&mut self.halves, x)
+            && let Some(line) =
+                self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth)
+        {
+            self.levels[depth].norm = norm;
+            self.stats.proposed += 1;
+            self.accept(depth, line);
+            return true;
+        }
+        self.stats.undecided += 1;
+        if std::env::var("DBG").is_ok() {
+            eprintln!("U {} {:?}", self.path.len(), self.path);
+        }
+        false
+>>>>>>> formats
     }
 
     fn snap(&self, foot: DVec3, d: DVec3, depth: usize) -> Option<Line> {
@@ -321,9 +443,18 @@ impl<'a> Search<'a> {
         let p = foot + d * (DVec3::from(self.arena.center(self.path[0])) - foot).dot(d);
         let q = foot + d * (DVec3::from(self.arena.center(self.path[depth])) - foot).dot(d);
         let q = if (q - p).length() < 64.0 { p + d * 64.0 } else { q };
+<<<<<<< HEAD
         for bits in [0, 3, 6, 10, 16, 24, 32, 40] {
             let s = (1u64 << bits) as f64;
             let line = Line { p: (p * s).round().to_array().map(|c| c / s), q: (q * s).round().to_array().map(|c| c / s) };
+=======
+        for bits in [0, 3, 6, 10, 16, 24] {
+            let s = f64::from(1u32 << bits);
+            let line = Line {
+                p: (p * s).round().to_array().map(|c| c / s),
+                q: (q * s).round().to_array().map(|c| c / s),
+            };
+>>>>>>> formats
             if self.path.iter().all(|&portal| self.confirm_portal(&line, portal)) {
                 return Some(line);
             }
@@ -332,8 +463,25 @@ impl<'a> Search<'a> {
     }
 
     fn confirm_portal(&self, line: &Line, portal: Directed) -> bool {
+<<<<<<< HEAD
         let line = FilteredLine::through(&Approx3::exact(line.p), &Approx3::exact(line.q), self.arena.bound());
         self.arena.edges(portal).iter().all(|edge| line.side_of_edge(edge) == Some(crate::num::Sign::Positive))
+=======
+        let ids = self.arena.vertices(portal);
+        let line = FilteredLine::through(
+            &Approx3::exact(line.p),
+            &Approx3::exact(line.q),
+            self.arena.bound(),
+        );
+        (0..ids.len()).all(|i| {
+            let edge = FilteredLine::through(
+                self.arena.point(ids[i]),
+                self.arena.point(ids[(i + 1) % ids.len()]),
+                self.arena.bound(),
+            );
+            line.side_of_edge(&edge) == Some(crate::num::Sign::Positive)
+        })
+>>>>>>> formats
     }
 
     fn accept(&mut self, depth: usize, line: Line) {
