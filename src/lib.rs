@@ -9,3 +9,4 @@ pub mod oracle;
 pub mod predicates;
 pub mod report;
 pub mod scene;
+pub mod stab;

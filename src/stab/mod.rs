@@ -1,0 +1,3 @@
+//! Stabbing lines of portal sequences, and the lines that meet four lines.
+
+pub mod transversals;
