@@ -1,5 +1,6 @@
 //! Exact visibility: what can be seen from where, with a proof for every answer.
 
+pub mod audit;
 pub mod cli;
 pub mod formats;
 pub mod geom;
