@@ -8,6 +8,7 @@ pub mod num;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 pub mod predicates;
+pub mod pvs;
 pub mod report;
 pub mod scene;
 pub mod stab;
