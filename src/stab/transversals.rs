@@ -62,7 +62,7 @@ pub struct IsolatedLine {
 /// A transversal at infinity that is not one of a family.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InfiniteLine {
-    /// The normal of the planes that contain the line.
+    /// The normal of the planes that contain the line; its first component that is not zero is 1.
     pub normal: [Surd; 3],
     /// Two for a double root.
     pub multiplicity: u8,
@@ -204,10 +204,19 @@ fn rank_four(r: &BigLine, s: &BigLine, result: &mut Transversals) {
         let direction = combine(&r.direction, &s.direction);
         let moment = combine(&r.moment, &s.moment);
         if direction.iter().all(Surd::is_zero) {
-            result.at_infinity.push(InfiniteLine { normal: moment, multiplicity });
+            let normal = scaled_to_one(&moment);
+            result.at_infinity.push(InfiniteLine { normal, multiplicity });
         } else {
             result.isolated.push(IsolatedLine { direction, moment, multiplicity });
         }
+    }
+}
+
+/// A vector divided by its first component that is not zero.
+fn scaled_to_one(vector: &[Surd; 3]) -> [Surd; 3] {
+    match vector.iter().find(|c| !c.is_zero()) {
+        Some(leading) => [0, 1, 2].map(|i| &vector[i] / leading),
+        None => vector.clone(),
     }
 }
 
@@ -323,22 +332,18 @@ fn split([a, b, c, d, e, f]: [Int; 6]) -> BigLine {
 /// normal to its plane with x elsewhere: w(p) and w(q) are parallel, since all is in one plane, and
 /// point opposite ways iff the transversal passes between p and q.
 pub fn meets_segment(line: &IsolatedLine, p: &[Rational; 3], q: &[Rational; 3]) -> bool {
-    let normal = |point: &[Rational; 3]| {
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
-            let k = 3 - i - j;
-            let turned = &(&line.direction[i] * &Surd::from(point[j].clone()))
-                - &(&line.direction[j] * &Surd::from(point[i].clone()));
-            &turned + &line.moment[k]
-        })
+    let component = |point: &[Rational; 3], k: usize| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let turned = &(&line.direction[i] * &Surd::from(point[j].clone()))
+            - &(&line.direction[j] * &Surd::from(point[i].clone()));
+        (&turned + &line.moment[k]).sign()
     };
-    let (at_p, at_q) = (normal(p), normal(q));
-    let product = (0..3).fold(Surd::from(Int::zero()), |sum, i| &sum + &(&at_p[i] * &at_q[i]));
-    match product.sign() {
-        Sign::Negative => true,
-        // Through an end point: the segment is closed.
-        Sign::Zero => true,
-        Sign::Positive => false,
-    }
+    // Parallel vectors point opposite ways iff they do in a component that one of them has.
+    (0..3)
+        .map(|k| component(p, k) * component(q, k))
+        .find(|product| *product != Sign::Zero)
+        // Zero throughout: through an end point, which belongs to the segment.
+        .is_none_or(|product| product == Sign::Negative)
 }
 
 #[cfg(test)]
