@@ -4,7 +4,6 @@ mod arena;
 mod bits;
 mod bounds;
 mod propose;
-mod gordan;
 mod search;
 mod separators;
 use crate::scene::PortalGraph;
@@ -23,7 +22,8 @@ pub fn run(graph: &PortalGraph) {
     let mut rank = vec![0; n as usize];
     for (i, &c) in order.iter().enumerate() { rank[c as usize] = i; }
     println!("upper {}", cellsee.iter().map(|c| c.count() as u64).sum::<u64>());
-    let res: Vec<_> = order.par_iter().with_max_len(1).map_init(|| search::Search::new(&arena, &bounds), |s, &a| {
+    let shared = bounds::SharedBounds::new(&bounds);
+    let res: Vec<_> = order.par_iter().with_max_len(1).map_init(|| search::Search::new(&arena, &shared), |s, &a| {
         s.found.clear();
         s.stats = Default::default();
         s.wanted.clear();
@@ -38,7 +38,8 @@ pub fn run(graph: &PortalGraph) {
     println!("open ordered with diagonal {} wanted {}", 2 * open + n as usize, 2 * res.iter().map(|r| r.1 as usize).sum::<usize>() + n as usize);
     let mut t = search::Stats::default();
     for r in &res { let s = &r.3; macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
-        add!(nodes, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
+        add!(nodes, compat, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
+
         for i in 0..8 { t.support[i] += s.support[i]; } }
     println!("{t:#?}");
     let mut w: Vec<_> = res.iter().map(|r| (r.4, r.0, r.3.nodes)).collect();

@@ -2,7 +2,7 @@
 
 use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
-use super::bounds::{Bounds, Flood};
+use super::bounds::{SharedBounds, Flood};
 use super::propose::{Bivector, Frame, Half, NormPoint, Outcome, half, propose_line};
 use glam::DVec3;
 use crate::predicates::filtered::{Approx3, FilteredLine};
@@ -13,7 +13,7 @@ pub(crate) struct Line { pub p: [f64; 3], pub q: [f64; 3] }
 
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
-    pub nodes: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
+    pub nodes: u64, pub compat: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
     pub parent_line: u64, pub proposed: u64, pub undecided: u64, pub planes: u64, pub open: u64, pub t_flood: f64, pub t_sep: f64, pub t_norm: f64, pub t_gordan: f64, pub t_line: f64,
     pub support: [u64; 8],
 }
@@ -24,11 +24,12 @@ struct Level {
     x: Option<Bivector>,
     line: Option<Line>,
     halves: usize,
+    planes: usize,
 }
 
 pub(crate) struct Search<'a> {
     arena: &'a Arena,
-    bounds: &'a Bounds,
+    bounds: &'a SharedBounds,
     pub wanted: Bits,
     pub found: Vec<(u32, Vec<Directed>, Line)>,
     path: Vec<Directed>,
@@ -37,18 +38,21 @@ pub(crate) struct Search<'a> {
     halves: Vec<Half>,
     owners: Vec<[u32; 2]>,
     flood: Flood,
-    planes: Vec<Plane>,
+    planes: Vec<u32>,
+    active: Vec<bool>,
+    hints: Hints,
     candidates: Bits,
     goals: Bits,
+    goal_portals: Bits,
     cache: SeparatorCache,
     pub stats: Stats,
 }
 
 impl<'a> Search<'a> {
-    pub fn new(arena: &'a Arena, bounds: &'a Bounds) -> Self {
+    pub fn new(arena: &'a Arena, bounds: &'a SharedBounds) -> Self {
         Search {
             arena, bounds, wanted: arena.no_cells(), found: Vec::new(), path: Vec::new(), crossed: arena.no_cells(), levels: Vec::new(), halves: Vec::new(), owners: Vec::new(), flood: Flood::new(arena),
-            planes: Vec::new(), candidates: arena.no_portals(), goals: arena.no_cells(), stats: Stats::default(), cache: SeparatorCache::default(),
+            planes: Vec::new(), active: Vec::new(), hints: Hints::default(), candidates: arena.no_portals(), goals: arena.no_cells(), goal_portals: arena.no_portals(), stats: Stats::default(), cache: SeparatorCache::default(),
         }
     }
 
@@ -62,6 +66,7 @@ impl<'a> Search<'a> {
             self.leave();
         }
         self.crossed.remove(source);
+        for b in self.wanted.iter() { self.bounds.refute(self.arena, source, b); }
     }
 
     fn visit(&mut self) {
@@ -81,6 +86,7 @@ impl<'a> Search<'a> {
         let last = self.path.pop().unwrap();
         self.crossed.remove(self.arena.to(last));
         let depth = self.path.len();
+        for id in self.planes.drain(self.levels[depth].planes..) { self.active[id as usize] = false; }
         self.owners.truncate(if depth == 0 { 0 } else { self.levels[depth - 1].halves });
     }
 
@@ -89,27 +95,24 @@ impl<'a> Search<'a> {
         let arena = self.arena;
         let depth = self.path.len();
         if self.levels.len() <= depth {
-            self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0 });
+            self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0, planes: 0 });
         }
         self.path.push(next);
         self.crossed.insert(arena.to(next));
         let t0 = std::time::Instant::now();
-        self.planes.clear();
-        if depth == 0 {
-            self.candidates.clear();
-            self.candidates.unite(self.bounds.after(next));
+        self.levels[depth].planes = self.planes.len();
+        let ok = if depth == 0 {
+            self.candidates = self.bounds.after(next).snapshot();
+            self.sift(next, depth, 0..0)
         } else {
-            self.candidates.assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
-            for i in 0..depth {
-                let planes = self.cache.get(arena, self.path[i], next);
-                self.planes.extend_from_slice(planes);
+            self.candidates.assign_shared_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
+            self.sift(next, depth, 0..1) && {
+                std::mem::swap(&mut self.candidates, &mut self.flood.reached);
+                depth == 1 || self.sift(next, depth, 1..depth)
             }
-        }
-        self.stats.t_sep += t0.elapsed().as_secs_f64();
-        self.stats.planes += self.planes.len() as u64;
-        let t0 = std::time::Instant::now();
-        self.stats.floods += 1;
-        let ok = self.narrow(next, depth);
+        };
+        if depth == 1 && ok { std::mem::swap(&mut self.candidates, &mut self.flood.reached); }
+        if ok { self.aim(depth); }
         self.stats.t_flood += t0.elapsed().as_secs_f64();
         if !ok {
             self.stats.no_goal += 1;
@@ -127,12 +130,33 @@ impl<'a> Search<'a> {
         open
     }
 
-    fn narrow(&mut self, next: Directed, depth: usize) -> bool {
+    fn sift(&mut self, next: Directed, depth: usize, with: std::ops::Range<usize>) -> bool {
         let arena = self.arena;
-        self.flood.run(arena, next, &self.candidates, &self.planes);
+        let first_plane = self.planes.len();
+        self.hints.clear();
+        for i in with {
+            for &id in self.cache.get(arena, self.path[i], next) {
+                if self.active.len() <= id as usize { self.active.resize(id as usize + 1024, false); }
+                if !self.active[id as usize] { self.active[id as usize] = true; self.planes.push(id); }
+            }
+        }
+        for &id in &self.planes[first_plane..] { self.hints.push(self.cache.plane(id)); }
+        self.stats.planes += (self.planes.len() - first_plane) as u64;
+        let (hints, cache, planes) = (&self.hints, &self.cache, &self.planes[first_plane..]);
+        self.flood.run_hinted(arena, next, &self.candidates, |t| hints.any_behind(arena.center(t), |i| arena.wholly_behind_exact(cache.plane(planes[i]), t)));
         self.goals.assign_intersection(&self.flood.entered, &self.wanted);
-        if self.goals.is_empty() { return false; }
-        // backward
+        let _ = depth;
+        !self.goals.is_empty()
+    }
+
+    fn aim(&mut self, depth: usize) {
+        let arena = self.arena;
+        // every portal must be able to lead to a goal
+        self.goal_portals.clear();
+        for t in self.flood.reached.iter() { if self.wanted.has(arena.to(t)) { self.goal_portals.insert(t); } }
+        for t in self.flood.reached.clone().iter() {
+            if !self.goal_portals.has(t) && !self.bounds.after(t).intersects(&self.goal_portals) { self.flood.reached.remove(t); self.stats.compat += 1; }
+        }
         let might = &mut self.levels[depth].might;
         might.clear();
         let mut stack: Vec<u32> = self.goals.iter().collect();
@@ -144,7 +168,6 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        true
     }
 
     fn push_halves(&mut self, next: Directed) {
@@ -248,12 +271,8 @@ impl<'a> Search<'a> {
     }
 
     fn confirm_portal(&self, line: &Line, portal: Directed) -> bool {
-        let ids = self.arena.vertices(portal);
         let line = FilteredLine::through(&Approx3::exact(line.p), &Approx3::exact(line.q), self.arena.bound());
-        (0..ids.len()).all(|i| {
-            let edge = FilteredLine::through(self.arena.point(ids[i]), self.arena.point(ids[(i + 1) % ids.len()]), self.arena.bound());
-            line.side_of_edge(&edge) == Some(crate::num::Sign::Positive)
-        })
+        self.arena.edges(portal).iter().all(|edge| line.side_of_edge(edge) == Some(crate::num::Sign::Positive))
     }
 
     fn accept(&mut self, depth: usize, line: Line) {
@@ -266,5 +285,29 @@ impl<'a> Search<'a> {
                 self.found.push((cell, self.path[..=i].to_vec(), line));
             }
         }
+    }
+}
+
+#[derive(Default)]
+struct Hints { n: [Vec<f64>; 3], d: Vec<f64> }
+impl Hints {
+    fn clear(&mut self) { for v in &mut self.n { v.clear(); } self.d.clear(); }
+    fn push(&mut self, p: &Plane) { let (n, d) = p.hint(); for i in 0..3 { self.n[i].push(n[i]); } self.d.push(d); }
+    fn any_behind(&self, c: [f64; 3], check: impl Fn(usize) -> bool) -> bool {
+        let n = self.d.len();
+        let (x, y, z, d) = (&self.n[0][..n], &self.n[1][..n], &self.n[2][..n], &self.d[..n]);
+        let mut i = 0;
+        while i + 8 <= n {
+            let mut least = [0.0f64; 8];
+            for k in 0..8 { least[k] = x[i + k] * c[0] + y[i + k] * c[1] + z[i + k] * c[2] - d[i + k]; }
+            if least.iter().any(|&v| v <= 0.0) {
+                for k in 0..8 { if least[k] <= 0.0 && check(i + k) { return true; } }
+            }
+            i += 8;
+        }
+        for k in i..n {
+            if x[k] * c[0] + y[k] * c[1] + z[k] * c[2] - d[k] <= 0.0 && check(k) { return true; }
+        }
+        false
     }
 }
