@@ -2,6 +2,7 @@
 
 mod line;
 mod plane;
+mod plucker;
 mod point;
 
 pub use line::{BigLine, Line};

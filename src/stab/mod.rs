@@ -9,6 +9,7 @@ mod sequence;
 mod stabber;
 #[cfg(test)]
 mod tests;
+pub mod transversals;
 mod wedge;
 mod witness;
 
