@@ -1,7 +1,11 @@
 //! Which lines pass a sequence of portals: the exact verdict, with a witness.
 
+mod certificate;
 mod cone;
 mod engine;
+mod extremal;
+mod grazing;
+mod line;
 mod mask;
 mod quadric;
 mod ring;
@@ -12,6 +16,9 @@ mod tests;
 mod wedge;
 mod witness;
 
+pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use extremal::{EdgeName, ExtremalLine};
+pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
-pub use stabber::{Stabber, decide_open};
+pub use stabber::{Stabber, Verdict, decide_open};
 pub use witness::Witness;
