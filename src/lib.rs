@@ -1,5 +1,6 @@
 //! Exact visibility: what can be seen from where, with a proof for every answer.
 
+pub mod audit;
 pub mod cli;
 pub mod formats;
 pub mod geom;
@@ -7,6 +8,7 @@ pub mod num;
 #[cfg(feature = "oracle")]
 pub mod oracle;
 pub mod predicates;
+pub mod pvs;
 pub mod report;
 pub mod scene;
 pub mod stab;

@@ -5,6 +5,7 @@
 
 use super::exit::Failure;
 use super::interrupt;
+use crate::report::PvsReport;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -33,9 +34,21 @@ impl Input {
 
     /// The file's name without its folders: results carry no path of a machine.
     pub(super) fn file_name(&self) -> String {
-        let name = Path::new(&self.name).file_name();
-        name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
+        file_name(Path::new(&self.name))
     }
+
+    /// The file as a result.
+    pub(super) fn report(&self) -> Result<PvsReport, Failure> {
+        PvsReport::read(&self.bytes).map_err(|error| match error.line() {
+            Some(line) => Failure::file(&format!("{}:{line}", self.name), error.without_line()),
+            None => Failure::file(&self.name, error),
+        })
+    }
+}
+
+/// The last part of a path.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
 /// Writes an output to the file at `path`, or to standard output for `-` or without a path.

@@ -5,10 +5,13 @@
 //! errors and exit codes to the one place that maps them. Data goes to standard output, all else
 //! to standard error.
 
+mod check;
 mod exit;
+mod export;
 mod files;
 mod interrupt;
 mod progress;
+mod schema;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::{Exit, Failure};
@@ -29,11 +32,19 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 
 /// Every subcommand, in the order of `stabline --help`.
 #[derive(Debug, Subcommand)]
-enum Command {}
+enum Command {
+    Check(check::Args),
+    Export(export::Args),
+    Schema(schema::Args),
+}
 
 impl Command {
     fn run(self) -> Result<Exit, Failure> {
-        match self {}
+        match self {
+            Command::Check(args) => check::run(args),
+            Command::Export(args) => export::run(args),
+            Command::Schema(args) => schema::run(args),
+        }
     }
 }
 

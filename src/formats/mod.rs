@@ -4,4 +4,7 @@
 //! about geometry; `scene` makes validated scenes of what comes out. No reader trusts a count in
 //! a header with an allocation.
 
+pub mod bsp;
+pub mod json;
+pub mod npy;
 pub mod prt;

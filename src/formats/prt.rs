@@ -17,6 +17,8 @@
 //! costs nothing, since nothing is reserved beyond what the bytes can hold.
 
 mod reader;
+#[cfg(test)]
+mod tests;
 
 use crate::num::{DecimalError, Number};
 
@@ -98,7 +100,7 @@ pub enum PrtErrorKind {
     #[error("expected a line with {0} alone")]
     LoneNumber(&'static str),
     /// More cells or leafs than any level has.
-    #[error("{got} {what}, at most {limit} can be read")]
+    #[error("{what} is {got}, at most {limit} can be read")]
     TooMany {
         /// What is counted.
         what: &'static str,

@@ -74,6 +74,12 @@ impl std::fmt::Display for Number {
     }
 }
 
+impl From<Int> for Number {
+    fn from(integer: Int) -> Number {
+        Rational::from(integer).into()
+    }
+}
+
 impl From<Rational> for Number {
     fn from(ratio: Rational) -> Number {
         match (ratio.numer().to_i64(), ratio.denom().to_i64()) {

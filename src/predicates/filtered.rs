@@ -189,6 +189,11 @@ impl FilteredPlane {
     pub fn normal(&self) -> [f64; 3] {
         self.normal
     }
+
+    /// The offset along [`FilteredPlane::normal`]: for proposals.
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
 }
 
 /// The magnitudes that a plane's error depends on.

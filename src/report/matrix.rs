@@ -1,5 +1,7 @@
 //! One verdict for each ordered pair of cells.
 
+use crate::formats::npy::NpyMatrix;
+
 /// What is known of an ordered pair of cells; the number is its code in every file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
@@ -104,6 +106,13 @@ impl Matrix {
         self.row_mut(from)[to] = verdict;
     }
 
+    /// The matrix as a NumPy array of bytes, the codes of the verdicts.
+    pub fn to_npy(&self) -> Vec<u8> {
+        let mut bytes = NpyMatrix::header(self.size, self.size);
+        bytes.extend(self.entries.iter().map(|&verdict| verdict as u8));
+        bytes
+    }
+
     /// How many pairs have each verdict.
     pub fn counts(&self) -> Counts {
         let mut counts = [0; 4];
@@ -137,6 +146,9 @@ mod tests {
         assert_eq!(matrix.counts(), counts);
         assert_eq!(matrix.asymmetric_pairs(), 1);
         assert_eq!(matrix.row(2), [Verdict::Grazing, Verdict::NotOpen, Verdict::NotOpen]);
+        let npy = NpyMatrix::read(&matrix.to_npy()).unwrap();
+        assert_eq!((npy.rows, npy.columns), (3, 3));
+        assert_eq!(npy.entries, [2, 0, 1, 0, 0, 3, 1, 0, 0]);
         assert_eq!(Matrix::from_entries(2, vec![Verdict::Open; 3]), None);
     }
 

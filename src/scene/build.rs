@@ -74,6 +74,12 @@ pub enum SceneErrorKind {
     /// The polygon crosses itself, or is too far from convex to be a rounded convex one.
     #[error("not convex, and no fan of triangles from one of its vertices tiles it")]
     NotConvex,
+    /// Coordinates with so many different denominators that no grid of a sane size holds them.
+    #[error("the common denominator of all coordinates exceeds {limit} bits")]
+    HugeGrid {
+        /// The limit.
+        limit: u64,
+    },
     /// A coordinate that is not a multiple of the declared grid unit.
     #[error(
         "vertex {vertex}: coordinate {got} is not a multiple of the declared grid unit 1/{grid}"
@@ -156,20 +162,28 @@ fn grid(raw: &RawGraph) -> Result<Int, SceneError> {
     }
     let mut common = Int::one();
     let mut small = 1i64;
-    for number in raw.portals.iter().flat_map(|portal| &portal.vertices).flatten() {
-        match number {
-            Number::Small(_, denominator) if small % denominator == 0 => {}
-            Number::Small(_, denominator) => {
-                common = common.lcm(&Int::from(*denominator));
-                // Where the common denominator outgrows 64 bits, `small` stays a divisor of it,
-                // which is all that the test above needs.
-                small = common.to_i64().unwrap_or(small);
+    for (index, portal) in raw.portals.iter().enumerate() {
+        for number in portal.vertices.iter().flatten() {
+            match number {
+                Number::Small(_, denominator) if small % denominator == 0 => continue,
+                Number::Small(_, denominator) => common = common.lcm(&Int::from(*denominator)),
+                Number::Big(ratio) => common = common.lcm(ratio.denom()),
             }
-            Number::Big(ratio) => common = common.lcm(ratio.denom()),
+            // Where the common denominator outgrows 64 bits, `small` stays a divisor of it, which
+            // is all that the test above needs.
+            small = common.to_i64().unwrap_or(small);
+            if common.bits() > MAX_GRID_BITS {
+                let kind = SceneErrorKind::HugeGrid { limit: MAX_GRID_BITS };
+                return Err(portal.error(index, kind));
+            }
         }
     }
     Ok(common)
 }
+
+/// Room for the smallest number that is read, 1e-4096. Every coordinate is scaled by the common
+/// denominator, so one without a limit would let a small file fill the memory.
+const MAX_GRID_BITS: u64 = 1 << 14;
 
 /// Below this magnitude every value that `polygon` and `order` compute fits in 128 bits: with
 /// |c| < 2^39 a difference is below 2^40, a component of a cross product of differences below

@@ -1,7 +1,9 @@
 //! Any file that holds a portal graph, told apart by its first bytes.
 
 use super::{PortalGraph, RawGraph, RawPortal, SceneError};
+use crate::formats::json::{SceneFile, SceneFileError};
 use crate::formats::prt::{self, PrtError, PrtFile};
+use rustc_hash::FxHashMap;
 
 /// What is wrong with an input file, and where; shown as `NAME:LINE: what`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -22,8 +24,31 @@ pub enum InputErrorKind {
     /// Not a portal file.
     #[error("{}", .0.kind)]
     Prt(PrtError),
+    /// Not a JSON scene.
+    #[error("{}", .0.without_line())]
+    Json(SceneFileError),
+    /// A name that two cells of a JSON scene have.
+    #[error("cells[{second}]: `{name}` is the name of cells[{first}] too")]
+    CellTwice {
+        /// The name.
+        name: String,
+        /// The index of the one cell.
+        first: usize,
+        /// The index of the other.
+        second: usize,
+    },
+    /// A portal of a JSON scene names a cell that the scene does not have.
+    #[error("portals[{portal}].{field}: there is no cell `{name}`")]
+    UnknownCell {
+        /// The portal.
+        portal: usize,
+        /// Which of its two cells.
+        field: &'static str,
+        /// The name.
+        name: String,
+    },
     /// A portal file or a JSON scene whose portals break a rule.
-    #[error(transparent)]
+    #[error("{0}")]
     Scene(Box<SceneError>),
 }
 
@@ -31,8 +56,11 @@ impl InputError {
     /// The line of the file, counted from 1, where there is one.
     pub fn line(&self) -> Option<usize> {
         match &self.kind {
-            InputErrorKind::Empty => None,
             InputErrorKind::Prt(error) => Some(error.line),
+            InputErrorKind::Json(error) => Some(error.line),
+            InputErrorKind::Empty
+            | InputErrorKind::CellTwice { .. }
+            | InputErrorKind::UnknownCell { .. } => None,
             InputErrorKind::Scene(error) => error.line,
         }
     }
@@ -47,7 +75,12 @@ pub fn read_graph(name: &str, bytes: &[u8]) -> Result<PortalGraph, InputError> {
     if bytes.is_empty() {
         return Err(error(InputErrorKind::Empty));
     }
-    let raw = RawGraph::from(prt::read(bytes).map_err(|e| error(InputErrorKind::Prt(e)))?);
+    let raw = if bytes.trim_ascii_start().first() == Some(&b'{') {
+        let file = SceneFile::read(bytes).map_err(|e| error(InputErrorKind::Json(e)))?;
+        named_cells(file).map_err(error)?
+    } else {
+        RawGraph::from(prt::read(bytes).map_err(|e| error(InputErrorKind::Prt(e)))?)
+    };
     PortalGraph::from_raw(raw).map_err(|e| error(InputErrorKind::Scene(Box::new(e))))
 }
 
@@ -65,4 +98,30 @@ impl From<PrtFile> for RawGraph {
             declared_grid: None,
         }
     }
+}
+
+/// A JSON scene with its cells by number.
+fn named_cells(file: SceneFile) -> Result<RawGraph, InputErrorKind> {
+    let mut numbers = FxHashMap::default();
+    for (second, name) in file.cells.iter().enumerate() {
+        if let Some(first) = numbers.insert(name.clone(), second) {
+            return Err(InputErrorKind::CellTwice { name: name.clone(), first, second });
+        }
+    }
+    let mut portals = Vec::with_capacity(file.portals.len());
+    for (index, portal) in file.portals.into_iter().enumerate() {
+        let number = |field, name: String| match numbers.get(&name) {
+            Some(&number) => Ok(number as u32),
+            None => Err(InputErrorKind::UnknownCell { portal: index, field, name }),
+        };
+        let cells = [number("from", portal.from)?, number("to", portal.to)?];
+        let vertices = portal.polygon.into_iter().map(|vertex| vertex.map(|c| c.0)).collect();
+        portals.push(RawPortal { cells, vertices, line: None });
+    }
+    Ok(RawGraph {
+        leaf_to_cell: (0..file.cells.len() as u32).collect(),
+        cells: file.cells,
+        portals,
+        declared_grid: file.grid.map(|grid| grid.0),
+    })
 }

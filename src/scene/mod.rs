@@ -9,6 +9,8 @@ mod graph;
 mod input;
 mod order;
 mod polygon;
+#[cfg(test)]
+mod tests;
 
 pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
 pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs};

@@ -104,7 +104,11 @@ fn read_sub_leafs(lines: &mut Lines<'_>, header: &mut Header) -> Result<(), PrtE
         let count = tokens.lone_cells(what)?;
         total += u64::from(count);
         if total > u64::from(MAX_CELLS) {
-            let kind = PrtErrorKind::TooMany { what: "sub-leafs", got: total, limit: MAX_CELLS };
+            let kind = PrtErrorKind::TooMany {
+                what: "the number of sub-leafs",
+                got: total,
+                limit: MAX_CELLS,
+            };
             return Err(tokens.error(kind));
         }
         header.sub_leafs.push(count);

@@ -35,6 +35,14 @@ impl ReportError {
         ReportError::Rule { place: place.into(), what: what.into() }
     }
 
+    /// The message without the line, for whoever names it already.
+    pub fn without_line(&self) -> String {
+        match self {
+            ReportError::Json { column, what, .. } => format!("column {column}: {what}"),
+            ReportError::Format(_) | ReportError::Rule { .. } => self.to_string(),
+        }
+    }
+
     /// The line of the file, where there is one.
     pub fn line(&self) -> Option<usize> {
         match self {
@@ -50,6 +58,9 @@ impl PvsReport {
     /// # Errors
     /// [`ReportError`] names the place and the rule broken.
     pub fn read(bytes: &[u8]) -> Result<PvsReport, ReportError> {
+        if bytes.is_empty() {
+            return Err(ReportError::rule("file", format!("empty, expected {FORMAT}")));
+        }
         let report: wire::Report = serde_json::from_slice(bytes).map_err(|error| {
             let what = error.to_string();
             // serde_json ends its message with the place, which is said before it here.

@@ -1,0 +1,3 @@
+//! Judging what others say: scores of candidate visibility sets.
+
+pub mod check;

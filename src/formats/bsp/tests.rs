@@ -1,0 +1,181 @@
+//! Levels are made here by hand: a directory and the three lumps that visibility needs.
+
+use super::*;
+
+/// A Quake level of `leafs` leafs with visibility (and one of a moving part), whose lumps lie in
+/// the order leafs, visibility, models, followed by a BSPX directory with one entry.
+fn quake(magic: &[u8; 4], record: usize, leafs: usize, visdata: &[u8], offsets: &[i32]) -> Vec<u8> {
+    let mut bytes = vec![0; 124];
+    bytes[..4].copy_from_slice(magic);
+    let lump = |bytes: &mut Vec<u8>, number: usize, data: &[u8]| {
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        let entry = 4 + 8 * number;
+        let place = bytes.len() as i32;
+        bytes[entry..entry + 4].copy_from_slice(&place.to_le_bytes());
+        bytes[entry + 4..entry + 8].copy_from_slice(&(data.len() as i32).to_le_bytes());
+        bytes.extend_from_slice(data);
+    };
+    let mut leaf_lump = vec![0x55; record * (leafs + 2)];
+    for (leaf, offset) in (0..).zip([-1i32].iter().chain(offsets).chain(&[-1])) {
+        leaf_lump[leaf * record + 4..][..4].copy_from_slice(&offset.to_le_bytes());
+    }
+    lump(&mut bytes, 10, &leaf_lump);
+    lump(&mut bytes, 4, visdata);
+    let mut model = vec![0; 64];
+    model[52..56].copy_from_slice(&(leafs as i32).to_le_bytes());
+    lump(&mut bytes, 14, &model);
+    let place = bytes.len() as i32 + 8 + 32;
+    bytes.extend_from_slice(b"BSPX\x01\0\0\0");
+    bytes.extend_from_slice(b"SOMETHING\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0");
+    bytes.extend_from_slice(&place.to_le_bytes());
+    bytes.extend_from_slice(&4i32.to_le_bytes());
+    bytes.extend_from_slice(b"tail");
+    bytes
+}
+
+/// Two rows for ten leafs: one sees leafs 0 and 9, the other nothing.
+fn ten_leafs(magic: &[u8; 4], record: usize) -> Vec<u8> {
+    quake(magic, record, 10, &[1, 2, 0, 2], &[0, 2, 2, 2, 2, 2, 2, 2, 2, -1])
+}
+
+const QUAKE_FORMATS: [(&[u8; 4], usize); 4] =
+    [(b"\x1d\0\0\0", 28), (b"\x1e\0\0\0", 28), (b"BSP2", 44), (b"2PSB", 32)];
+
+#[test]
+fn quake_rows_are_read() {
+    for (magic, record) in QUAKE_FORMATS {
+        let visibility = Visibility::read(&ten_leafs(magic, record)).unwrap();
+        let matrix = &visibility.matrix;
+        assert_eq!((matrix.size(), visibility.rows_missing), (10, 1));
+        for column in 0..10 {
+            assert_eq!(matrix.get(0, column), column == 0 || column == 9);
+            assert!(!matrix.get(3, column));
+            assert!(matrix.get(9, column));
+        }
+        assert_eq!(matrix.row(9), [0xff, 0x03]);
+    }
+}
+
+#[test]
+fn what_is_written_reads_back_and_the_rest_is_kept() {
+    for (magic, record) in QUAKE_FORMATS {
+        let level = ten_leafs(magic, record);
+        for density in [1, 3, 7, 1000] {
+            let mut matrix = BitMatrix::new(10);
+            for (row, column) in (0..100).map(|i| (i / 10, i % 10)) {
+                if (row * 31 + column * 17) % density == 0 {
+                    matrix.set(row, column);
+                }
+            }
+            let written = write_visibility(&level, &matrix).unwrap();
+            let read = Visibility::read(&written).unwrap();
+            assert_eq!((read.matrix, read.rows_missing), (matrix.clone(), 0));
+            assert_eq!(write_visibility(&written, &matrix).unwrap(), written);
+            assert!(written.ends_with(b"tail"));
+            let entry = written.len() - 4 - 8;
+            assert_eq!(layout::int(&written, entry) as usize, written.len() - 4);
+            // The model lump moved with its content.
+            let models = layout::int(&written, 4 + 8 * 14) as usize;
+            assert_eq!(models % 4, 0);
+            assert_eq!(layout::int(&written, models + 52), 10);
+            // Nothing before the visibility changed but the rows' offsets and the directory.
+            let leafs = layout::int(&level, 4 + 8 * 10) as usize;
+            for at in
+                (leafs..leafs + record * 12).filter(|at| !(4..8).contains(&((at - leafs) % record)))
+            {
+                assert_eq!(written[at], level[at]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_level_without_visibility_gets_some() {
+    let level = quake(b"BSP2", 44, 3, &[], &[-1, -1, -1]);
+    let error = Visibility::read(&level).unwrap_err();
+    assert_eq!(error.kind, BspErrorKind::NoVisibility);
+    let mut matrix = BitMatrix::new(3);
+    matrix.set(1, 2);
+    let written = write_visibility(&level, &matrix).unwrap();
+    assert_eq!(Visibility::read(&written).unwrap().matrix, matrix);
+    assert!(written.ends_with(b"tail"));
+}
+
+#[test]
+fn long_runs_of_zeros_are_split() {
+    let leafs = 8 * 600;
+    let level = quake(b"BSP2", 44, leafs, &[0, 255, 0, 255, 0, 90], &vec![0; leafs]);
+    let mut matrix = BitMatrix::new(leafs);
+    assert_eq!(Visibility::read(&level).unwrap().matrix, matrix);
+    matrix.set(7, 4000);
+    let written = write_visibility(&level, &matrix).unwrap();
+    assert_eq!(Visibility::read(&written).unwrap().matrix, matrix);
+}
+
+fn quake2(rows: &[u8], offsets: &[i32]) -> Vec<u8> {
+    let mut lump = (offsets.len() as i32).to_le_bytes().to_vec();
+    for offset in offsets {
+        lump.extend_from_slice(&offset.to_le_bytes());
+        lump.extend_from_slice(&0i32.to_le_bytes());
+    }
+    lump.extend_from_slice(rows);
+    with_lump(b"IBSP\x26\0\0\0", 19, 3, &lump)
+}
+
+fn with_lump(magic: &[u8; 8], lumps: usize, number: usize, lump: &[u8]) -> Vec<u8> {
+    let mut bytes = vec![0; 8 + 8 * lumps];
+    bytes[..8].copy_from_slice(magic);
+    let place = bytes.len() as i32;
+    bytes[8 + 8 * number..][..4].copy_from_slice(&place.to_le_bytes());
+    bytes[12 + 8 * number..][..4].copy_from_slice(&(lump.len() as i32).to_le_bytes());
+    bytes.extend_from_slice(lump);
+    bytes
+}
+
+#[test]
+fn quake2_rows_are_read() {
+    let level = quake2(&[1, 3, 2], &[28, 29, 30]);
+    let matrix = Visibility::read(&level).unwrap().matrix;
+    assert_eq!([0, 1, 2].map(|row| matrix.row(row)[0]), [1, 3, 2]);
+    let error = write_visibility(&level, &matrix).unwrap_err();
+    assert_eq!(error.kind, BspErrorKind::ReadOnlyFormat(BspFormat::Quake2));
+}
+
+#[test]
+fn quake3_rows_are_read_and_written() {
+    let lump = [&2i32.to_le_bytes()[..], &8i32.to_le_bytes(), &[0xff; 16]].concat();
+    let level = with_lump(b"IBSP\x2e\0\0\0", 17, 16, &lump);
+    assert_eq!(Visibility::read(&level).unwrap().matrix.row(1), [3]);
+    let mut matrix = BitMatrix::new(2);
+    matrix.set(1, 0);
+    let written = write_visibility(&level, &matrix).unwrap();
+    assert_eq!(written.len(), level.len());
+    assert_eq!(Visibility::read(&written).unwrap().matrix, matrix);
+}
+
+#[test]
+fn a_broken_rule_is_named_with_its_byte() {
+    let good = ten_leafs(b"\x1d\0\0\0", 28);
+    let patched = |at: usize, value: i32| {
+        let mut bytes = good.clone();
+        bytes[at..at + 4].copy_from_slice(&value.to_le_bytes());
+        Visibility::read(&bytes).unwrap_err().to_string()
+    };
+    let models = layout::int(&good, 4 + 8 * 14) as usize;
+    let leafs = layout::int(&good, 4 + 8 * 10) as usize;
+    assert!(patched(0, 28).starts_with("byte 0: not a level of a known format"));
+    assert!(patched(4 + 8 * 4, 1 << 20).contains("lump 4 (visibility) lies at 1048576"));
+    assert!(patched(4 + 8 * 4, -1).contains("lump 4 (visibility) lies at -1"));
+    assert!(patched(8 + 8 * 10, 27).contains("the lump of leafs has 27 bytes, expected 28 a leaf"));
+    assert!(patched(8 + 8 * 14, 63).contains("the lump of models has 63 bytes"));
+    assert!(patched(models + 52, 12).contains("12 leafs or clusters with visibility"));
+    assert!(patched(models + 52, -1).contains("-1 leafs or clusters with visibility"));
+    let row = leafs + 28 + 4;
+    assert!(patched(row, 5).contains("the row of leaf or cluster 0 begins at 5"));
+    assert!(patched(row, -2).contains("the row of leaf or cluster 0 begins at -2"));
+    assert!(patched(row, 3).contains("the row of leaf or cluster 0 does not end after 2 bytes"));
+    assert!(patched(row, 3).starts_with(&format!("byte {row}:")));
+    assert!(Visibility::read(&good[..100]).unwrap_err().to_string().contains("list of lumps"));
+    let other = write_visibility(&good, &BitMatrix::new(9)).unwrap_err();
+    assert_eq!(other.kind, BspErrorKind::OtherLevel { expected: 10, got: 9 });
+}

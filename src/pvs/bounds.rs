@@ -1,0 +1,157 @@
+//! The upper bound: for each directed portal the set of directed portals that a line through it
+//! might cross later.
+//!
+//! A line that crosses portal `p` and later portal `t`, in order, has crossed to the front of
+//! `p`'s plane when it meets `t`, and is still behind `t`'s plane when it meets `p`. So `t` can
+//! follow `p` only where `t` reaches in front of `p` and `p` reaches behind `t`; and where every
+//! portal between them does. The bound is the flood through such portals, made symmetric (`t`
+//! can follow `p` iff the reverse of `p` can follow the reverse of `t`), and narrowed by passes in
+//! which each flood also has to get past the planes that separate the first two portals of the
+//! way (the linearised antipenumbra of Teller 1992, §8.3.5, for two portals).
+//!
+//! Complexity: `O(p^2)` plane tests for `p` portals, and `O(p · d · m · s)` for a pass, with `d`
+//! portals a cell, `m` members of a bound, `s` separating planes of two portals.
+
+use super::arena::{Arena, Directed, Plane, reverse};
+use super::bits::Bits;
+use super::separators::separators;
+use rayon::prelude::*;
+
+/// For each directed portal, those that might be crossed after it.
+pub(crate) struct Bounds {
+    after: Vec<Bits>,
+}
+
+/// Narrowing passes; the second removes a tenth of what the first does, a third next to nothing.
+const PASSES: usize = 2;
+
+impl Bounds {
+    pub fn new(arena: &Arena) -> Bounds {
+        let fronts = fronts(arena);
+        let after = (0..arena.directed())
+            .into_par_iter()
+            .map(|portal| flood_planes(arena, &fronts, portal))
+            .collect();
+        let mut bounds = Bounds { after };
+        bounds.make_symmetric();
+        for _ in 0..PASSES {
+            bounds.after = (0..arena.directed())
+                .into_par_iter()
+                .map(|portal| bounds.narrowed(arena, portal))
+                .collect();
+            bounds.make_symmetric();
+        }
+        bounds
+    }
+
+    /// The directed portals that might be crossed after `portal`.
+    pub fn after(&self, portal: Directed) -> &Bits {
+        &self.after[portal as usize]
+    }
+
+    fn make_symmetric(&mut self) {
+        let rows: Vec<Bits> = (0..self.after.len() as u32)
+            .into_par_iter()
+            .map(|portal| {
+                let mut row = self.after(portal).clone();
+                for other in self.after(portal).iter() {
+                    if !self.after(reverse(other)).has(reverse(portal)) {
+                        row.remove(other);
+                    }
+                }
+                row
+            })
+            .collect();
+        self.after = rows;
+    }
+
+    fn narrowed(&self, arena: &Arena, portal: Directed) -> Bits {
+        let mut all = arena.no_portals();
+        let mut candidates = arena.no_portals();
+        let mut planes = Vec::new();
+        let mut flood = Flood::new(arena);
+        for &next in arena.leaving(arena.to(portal)) {
+            if !self.after(portal).has(next) {
+                continue;
+            }
+            candidates.assign_intersection(self.after(portal), self.after(next));
+            planes.clear();
+            separators(arena, portal, next, &mut planes);
+            flood.run(arena, next, &candidates, &planes);
+            all.unite(&flood.reached);
+            all.insert(next);
+        }
+        all
+    }
+}
+
+/// For each directed portal, the (undirected) portals that reach in front of its plane.
+fn fronts(arena: &Arena) -> Vec<Bits> {
+    (0..arena.directed())
+        .into_par_iter()
+        .map(|portal| {
+            let plane = arena.plane_of(portal);
+            let mut front = Bits::new(arena.directed() as usize / 2);
+            for other in 0..arena.directed() / 2 {
+                if arena.reaches_front(plane, 2 * other) {
+                    front.insert(other);
+                }
+            }
+            front
+        })
+        .collect()
+}
+
+fn flood_planes(arena: &Arena, fronts: &[Bits], portal: Directed) -> Bits {
+    let mut reached = arena.no_portals();
+    let mut entered = arena.no_cells();
+    let mut stack = vec![arena.to(portal)];
+    entered.insert(arena.to(portal));
+    let front = &fronts[portal as usize];
+    while let Some(cell) = stack.pop() {
+        for &next in arena.leaving(cell) {
+            let can_follow = next / 2 != portal / 2
+                && front.has(next / 2)
+                && fronts[reverse(next) as usize].has(portal / 2);
+            if can_follow && reached.insert(next) && entered.insert(arena.to(next)) {
+                stack.push(arena.to(next));
+            }
+        }
+    }
+    reached
+}
+
+/// A flood through the cells, with its buffers.
+pub(crate) struct Flood {
+    /// The portals crossed.
+    pub reached: Bits,
+    /// The cells entered.
+    pub entered: Bits,
+    stack: Vec<u32>,
+}
+
+impl Flood {
+    pub fn new(arena: &Arena) -> Flood {
+        Flood { reached: arena.no_portals(), entered: arena.no_cells(), stack: Vec::new() }
+    }
+
+    /// Crosses from the cell that `first` enters every candidate that is not wholly behind one of
+    /// the planes.
+    pub fn run(&mut self, arena: &Arena, first: Directed, candidates: &Bits, planes: &[Plane]) {
+        self.reached.clear();
+        self.entered.clear();
+        self.entered.insert(arena.to(first));
+        self.stack.push(arena.to(first));
+        while let Some(cell) = self.stack.pop() {
+            for &next in arena.leaving(cell) {
+                if !candidates.has(next) || planes.iter().any(|p| arena.wholly_behind(p, next)) {
+                    continue;
+                }
+                self.reached.insert(next);
+                if self.entered.insert(arena.to(next)) {
+                    self.stack.push(arena.to(next));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The point of least norm in the convex hull of vectors of R^6 (Wolfe 1976).
+//!
+//! Let the vectors be the half-spaces of a portal sequence: x is inside iff `x · v > 0` for each.
+//! A point x of the hull with positive norm and least is itself inside all of them, with the
+//! widest margin; if the hull contains the origin, the vectors that combine to it (seven at most)
+//! are a proposal for Gordan's certificate that no x is inside.
+
+/// A half-space of R^6 through the origin: `x · v > 0`.
+pub(crate) type Half = [f64; 6];
+
+/// What the search for the least point came to.
+#[derive(Clone, Debug)]
+pub(crate) enum Outcome {
+    /// Strictly inside all half-spaces, as far as floats can tell.
+    Inside(Half),
+    /// The indices of half-spaces that seem to exclude each other, with their weights.
+    Excluded(Vec<(u32, f64)>),
+}
+
+/// The state of a search; it may be continued when half-spaces are added.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct NormPoint {
+    /// Affinely independent vectors whose hull's least point is the current one.
+    corral: Vec<(u32, f64)>,
+}
+
+const ROUNDS: usize = 60;
+
+/// Below this norm a point is taken for the origin: a few roundings of vectors of norm one.
+const NOTHING: f64 = 1e-14;
+
+pub(crate) fn dot(a: &Half, b: &Half) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
+}
+
+fn subtract(a: &mut Half, factor: f64, b: &Half) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a -= factor * b;
+    }
+}
+
+impl NormPoint {
+    /// Searches the least point of the hull of `halves` (each of norm one), from where the last
+    /// call with fewer of them ended. `widest` asks for the least point itself; otherwise the
+    /// search ends at the first point that is inside.
+    pub fn search(&mut self, halves: &[Half], widest: bool) -> Outcome {
+        // The half-spaces may have been scaled since: the corral keeps its members only.
+        let equal = 1.0 / self.corral.len() as f64;
+        self.corral.iter_mut().for_each(|c| c.1 = equal);
+        let mut x = match self.settle(halves) {
+            Some(x) => x,
+            None => {
+                self.corral = vec![(0, 1.0)];
+                halves[0]
+            }
+        };
+        for _ in 0..ROUNDS {
+            let norm2 = dot(&x, &x);
+            if norm2 < NOTHING * NOTHING {
+                return Outcome::Excluded(self.corral.clone());
+            }
+            let (least, value) = least(halves, &x);
+            if value > 0.0 && (!widest || value > norm2 * 0.98) {
+                return Outcome::Inside(x);
+            }
+            if value >= norm2 * (1.0 - 1e-9) || self.corral.iter().any(|c| c.0 == least) {
+                break;
+            }
+            self.corral.push((least, 0.0));
+            match self.settle(halves) {
+                Some(next) => x = next,
+                None => break,
+            }
+        }
+        let (_, value) = least(halves, &x);
+        if value > 0.0 { Outcome::Inside(x) } else { Outcome::Excluded(self.corral.clone()) }
+    }
+
+    /// Moves the weights to the least point of the corral's hull, dropping what gets no weight.
+    fn settle(&mut self, halves: &[Half]) -> Option<Half> {
+        while !self.corral.is_empty() {
+            let (target, x) = affine_least(halves, &self.corral)?;
+            let mut step = 1.0f64;
+            let mut blocking = None;
+            for (i, (&(_, now), &then)) in self.corral.iter().zip(&target).enumerate() {
+                if then <= 1e-14 {
+                    let reach = now / (now - then);
+                    if blocking.is_none() || reach < step {
+                        step = reach.clamp(0.0, 1.0);
+                        blocking = Some(i);
+                    }
+                }
+            }
+            for ((_, now), then) in self.corral.iter_mut().zip(&target) {
+                *now += step * (then - *now);
+            }
+            match blocking {
+                None => return Some(x),
+                Some(i) => {
+                    self.corral.remove(i);
+                }
+            }
+        }
+        None
+    }
+}
+
+fn least(halves: &[Half], x: &Half) -> (u32, f64) {
+    let mut best = (0, f64::INFINITY);
+    for (i, half) in halves.iter().enumerate() {
+        let value = dot(x, half);
+        if value < best.1 {
+            best = (i as u32, value);
+        }
+    }
+    best
+}
+
+/// The least point of the affine hull of the corral and its weights, by orthogonalising the
+/// differences from the first member (twice, which keeps the result orthogonal to full precision:
+/// thin cones have least points of norm 1e-10).
+fn affine_least(halves: &[Half], corral: &[(u32, f64)]) -> Option<([f64; 7], Half)> {
+    let n = corral.len();
+    if n > 7 {
+        return None;
+    }
+    let base = halves[corral[0].0 as usize];
+    let mut q = [[0.0f64; 6]; 6];
+    let mut r = [[0.0f64; 6]; 6];
+    for i in 1..n {
+        let mut column = halves[corral[i].0 as usize];
+        subtract(&mut column, 1.0, &base);
+        for _ in 0..2 {
+            for j in 0..i - 1 {
+                let along = dot(&q[j], &column);
+                r[j][i - 1] += along;
+                subtract(&mut column, along, &q[j]);
+            }
+        }
+        let length = dot(&column, &column).sqrt();
+        if length < NOTHING {
+            return None;
+        }
+        r[i - 1][i - 1] = length;
+        q[i - 1] = column.map(|c| c / length);
+    }
+    let mut x = base;
+    let mut right = [0.0f64; 6];
+    for _ in 0..2 {
+        for j in 0..n - 1 {
+            let along = dot(&q[j], &x);
+            right[j] -= along;
+            subtract(&mut x, along, &q[j]);
+        }
+    }
+    let mut weights = [0.0f64; 7];
+    for i in (0..n - 1).rev() {
+        let rest: f64 = (i + 1..n - 1).map(|k| r[i][k] * weights[k + 1]).sum();
+        weights[i + 1] = (right[i] - rest) / r[i][i];
+    }
+    weights[0] = 1.0 - weights[1..n].iter().sum::<f64>();
+    Some((weights, x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn unit(i: usize, sign: f64) -> Half {
+        let mut v = [0.0; 6];
+        v[i] = sign;
+        v
+    }
+
+    #[test]
+    fn an_orthant_is_inside_and_opposites_exclude() {
+        let mut halves: Vec<Half> = (0..6).map(|i| unit(i, 1.0)).collect();
+        let mut search = NormPoint::default();
+        match search.search(&halves, true) {
+            Outcome::Inside(x) => assert!(halves.iter().all(|h| dot(h, &x) > 0.0)),
+            Outcome::Excluded(_) => panic!("the orthant has an inside"),
+        }
+        halves.push(unit(2, -1.0));
+        match search.search(&halves, true) {
+            Outcome::Inside(_) => panic!("opposite half-spaces have no common inside"),
+            Outcome::Excluded(set) => {
+                let mut set: Vec<u32> = set.iter().map(|s| s.0).collect();
+                set.sort_unstable();
+                assert_eq!(set, [2, 6]);
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Every parser on arbitrary and on damaged bytes: an error or a value, never a panic, and never
+//! an allocation that the bytes do not pay for (a lying header would abort these tests).
+
+mod support;
+
+use proptest::prelude::*;
+use stabline::formats::bsp::{BitMatrix, Visibility, write_visibility};
+use stabline::formats::json::SceneFile;
+use stabline::formats::npy::NpyMatrix;
+use stabline::formats::prt;
+use stabline::report::PvsReport;
+use stabline::scene::{CellOrder, PortalGraph, read_graph};
+use support::{THREE_ROOMS, level, three_rooms_result};
+
+const SCENE: &str = r#"{"about": "a door", "format": "stabline-scene/1", "grid": 2,
+"cells": ["hall", "yard"], "portals": [
+{"from": "yard", "to": "hall", "polygon": [[0, 0, 0], ["7/2", 0, 1e0], [0, -2.5, 0], [0, -2.5, 0]]}]}"#;
+
+/// What every graph promises, whatever it was read from.
+fn assert_valid(graph: &PortalGraph) {
+    for portal in &graph.portals {
+        assert!(portal.from != portal.to);
+        assert!(portal.vertices.len() >= 3);
+        assert!(portal.vertices.iter().all(|&v| (v as usize) < graph.vertices.len()));
+        for cell in [portal.from, portal.to] {
+            assert!((cell.0 as usize) < graph.cells.len());
+        }
+    }
+    assert!(graph.leaf_to_cell.iter().all(|cell| (cell.0 as usize) < graph.cells.len()));
+    CellOrder::new(graph);
+}
+
+/// All parsers on the same bytes.
+fn parse(bytes: &[u8]) {
+    if let Err(error) = prt::read(bytes) {
+        assert!(error.line >= 1 && !error.to_string().contains('\n'));
+    }
+    let _ = SceneFile::read(bytes);
+    let _ = PvsReport::read(bytes);
+    let _ = NpyMatrix::read(bytes);
+    if let Ok(read) = Visibility::read(bytes) {
+        assert!(read.rows_missing <= read.matrix.size());
+    }
+    let _ = write_visibility(bytes, &BitMatrix::new(4));
+    if let Ok(graph) = read_graph("x", bytes) {
+        assert_valid(&graph);
+    }
+}
+
+/// A whole valid file of each format.
+fn files() -> Vec<Vec<u8>> {
+    let header = "{'descr': '|u1', 'fortran_order': False, 'shape': (3, 3), }\n";
+    let npy =
+        [b"\x93NUMPY\x01\0", &[header.len() as u8, 0][..], header.as_bytes(), &[2; 9]].concat();
+    let mut quake2 = vec![0; 8 + 8 * 19];
+    quake2[..8].copy_from_slice(b"IBSP\x26\0\0\0");
+    quake2[32] = 160;
+    quake2[36] = 13;
+    quake2.extend_from_slice(&[1, 0, 0, 0, 12, 0, 0, 0, 12, 0, 0, 0, 1]);
+    let mut quake3 = vec![0; 8 + 8 * 17];
+    quake3[..8].copy_from_slice(b"IBSP\x2e\0\0\0");
+    quake3[136] = 144;
+    quake3[140] = 10;
+    quake3.extend_from_slice(&[2, 0, 0, 0, 1, 0, 0, 0, 3, 3]);
+    let q3 = "PRT1\n2\n1\n1\n3 0 1 0 (0 0 0 ) (1 0 0 ) (0 1 0 )\n3 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
+    let am = "PRT1-AM\n2\n1\n2\n3 0 1 (0 0 0 ) (1 0 .5 ) (0 1 0 )\n0\n1\n";
+    let headless = "2\n1\n1\n2\n3 0 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
+    let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result()];
+    let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
+    files.extend([npy, level([1, 3, 7, 15]), quake2, quake3]);
+    files
+}
+
+#[test]
+fn the_undamaged_files_are_read() {
+    let files = files();
+    let graphs = files.iter().filter(|bytes| read_graph("x", bytes).is_ok()).count();
+    let levels = files.iter().filter(|bytes| Visibility::read(bytes).is_ok()).count();
+    let others = files.iter().filter(|b| PvsReport::read(b).is_ok() || NpyMatrix::read(b).is_ok());
+    assert_eq!((graphs, levels, others.count()), (5, 3, 2));
+}
+
+#[test]
+fn truncated_files_do_not_panic() {
+    for file in files() {
+        for end in 0..file.len() {
+            parse(&file[..end]);
+        }
+    }
+}
+
+#[test]
+fn lying_numbers_do_not_panic() {
+    // Every four bytes of a binary file, and every digit of a text, say something else.
+    for file in files() {
+        for at in 0..file.len() {
+            if file[at].is_ascii_digit() {
+                for number in ["", "-1", "99999999", "4294967296", "18446744073709551616", "1/0"] {
+                    parse(&[&file[..at], number.as_bytes(), &file[at + 1..]].concat());
+                }
+            }
+            for number in [-1i32, 0, 1, 255, i32::MAX, i32::MIN, i32::MAX - 3] {
+                let mut lying = file.clone();
+                for (byte, new) in lying[at..].iter_mut().zip(number.to_le_bytes()) {
+                    *byte = new;
+                }
+                parse(&lying);
+            }
+        }
+    }
+}
+
+/// The words that the text formats are made of.
+fn word() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![
+        "PRT1",
+        "PRT2",
+        "PRT1-AM",
+        "\n",
+        " ",
+        "0",
+        "1",
+        "2",
+        "3",
+        "-1",
+        "(",
+        ")",
+        "(0 0 0 )",
+        "(1 0 0 )",
+        "(0 1 0 )",
+        "(0 .5 1e-3 )",
+        "1/3",
+        "1e4096",
+        "-0.000001",
+        "{",
+        "}",
+        "[",
+        "]",
+        ",",
+        ":",
+        "\"",
+        "\"about\"",
+        "\"format\"",
+        "\"stabline-scene/1\"",
+        "\"cells\"",
+        "\"portals\"",
+        "null",
+        "true",
+        "1e99999",
+        "99999999999999999999",
+        "\u{e4}",
+    ])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 512, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn arbitrary_bytes_do_not_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        parse(&bytes);
+    }
+
+    #[test]
+    fn arbitrary_words_do_not_panic(words in prop::collection::vec(word(), 0..60)) {
+        parse(words.concat().as_bytes());
+        parse(words.join(" ").as_bytes());
+    }
+
+    #[test]
+    fn damaged_files_do_not_panic(
+        file in prop::sample::select(files()),
+        damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        cut in any::<prop::sample::Index>(),
+        splice in any::<prop::sample::Index>(),
+    ) {
+        let mut damaged = file.clone();
+        for (at, byte) in damage {
+            damaged[at.index(file.len())] = byte;
+        }
+        parse(&damaged);
+        let (a, b) = (cut.index(file.len()), splice.index(file.len()));
+        parse(&[&damaged[..a], &damaged[b..]].concat());
+    }
+}

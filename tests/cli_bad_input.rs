@@ -1,0 +1,153 @@
+//! Bad input and bad output places: one clear line, the right exit code, nothing left behind.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use support::{THREE_ROOMS, assert_fails, level, stabline, stdout, three_rooms_result};
+
+/// The names in a folder.
+fn names(at: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(at)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn usage_errors_are_one_line_with_code_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| stabline(folder.path(), arguments);
+    assert_fails(&run(&["chek"]), 2, "unrecognized subcommand 'chek'");
+    assert_fails(&run(&["check", "a"]), 2, "<CANDIDATE>");
+    assert_fails(&run(&["check", "a", "b", "--policy", "half"]), 2, "invalid value 'half'");
+    let help = run(&["--help"]);
+    assert_eq!(help.status.code(), Some(0));
+    assert!(stdout(&help).contains("check") && help.stderr.is_empty());
+    let version = run(&["--version"]);
+    assert_eq!(stdout(&version), concat!("stabline ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
+#[test]
+fn unreadable_files_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| stabline(folder.path(), arguments);
+    assert_fails(&run(&["check", "none.json", "b"]), 3, "none.json: cannot read: No such file");
+    assert_fails(&run(&["check", ".", "b"]), 3, ".: cannot read: Is a directory");
+}
+
+#[test]
+fn bad_files_are_named_with_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("good.json"), three_rooms_result()).unwrap();
+    fs::write(at.join("good.bsp"), level([15; 4])).unwrap();
+    let header = "{'descr': '|u1', 'fortran_order': False, 'shape': (3, 3), }\n";
+    let npy =
+        [b"\x93NUMPY\x01\0", &[header.len() as u8, 0][..], header.as_bytes(), &[2; 9]].concat();
+    fs::write(at.join("good.npy"), &npy).unwrap();
+    fs::write(at.join("good.prt"), THREE_ROOMS).unwrap();
+    let cut = |bytes: &[u8]| bytes[..bytes.len() - 3].to_vec();
+    let result = three_rooms_result();
+    let garbled = |from: &str, to: &str| result.replace(from, to).into_bytes();
+    let candidates: [(&str, Vec<u8>, &str); 12] = [
+        ("empty", Vec::new(), "empty: the file is empty"),
+        ("cut.json", cut(result.as_bytes()), "cut.json:14: column"),
+        ("cut.bsp", cut(&level([15; 4])), "cut.bsp: byte 116: lump 14 (models)"),
+        ("cut.npy", cut(&npy), "cut.npy: byte 70: 3 x 3 entries expected, got 6 bytes"),
+        ("noise", b"\x01\x02\x03".to_vec(), "noise: not a result, an .npy matrix or a .bsp"),
+        ("counts.json", garbled("\"open\": 7", "\"open\": 8"), "counts.open: states 8"),
+        ("rows.json", garbled("\"220\"", "\"22\""), "rows[0]: expected 3 digits, got 2"),
+        ("digit.json", garbled("\"220\"", "\"229\""), "rows[0]: expected digits 0 to 3"),
+        ("types.json", garbled("7, \"gr", "\"7\", \"gr"), "types.json:8: column"),
+        ("format.json", garbled("pvs/1", "pvs/9"), "format: expected `stabline-pvs/1`"),
+        ("code.npy", [&cut(&npy)[..], &[2, 4, 2]].concat(), "entry (2, 1): expected 0 to 3, got 4"),
+        (
+            "unvised.bsp",
+            {
+                let mut bytes = level([15; 4]);
+                bytes[4 + 8 * 4 + 4] = 0;
+                bytes
+            },
+            "unvised.bsp: byte 36: the level has no visibility data",
+        ),
+    ];
+    for (name, bytes, expected) in candidates {
+        fs::write(at.join(name), bytes).unwrap();
+        assert_fails(&stabline(at, &["check", "good.json", name]), 3, expected);
+    }
+    let inputs: [(&str, &[u8], &str); 8] = [
+        ("empty.prt", b"", "empty.prt: the file is empty"),
+        ("cut.prt", &cut(THREE_ROOMS.as_bytes()), "cut.prt:9: expected the cluster's leafs"),
+        ("shy.prt", b"PRT1\n2\n2\n", "shy.prt:4: the file ends, expected another portal"),
+        ("cell.prt", b"PRT1\n2\n1\n3 0 2 (0 0 0 ) (1 0 0 ) (0 1 0 )\n", "portal names cell 2"),
+        ("flat.prt", b"PRT1\n2\n1\n3 0 1 (0 0 0 ) (1 0 0 ) (2 0 0 )\n", "zero area"),
+        ("nan.prt", b"PRT1\n2\n1\n3 0 1 (0 0 nan ) (1 0 0 ) (0 1 0 )\n", "nan.prt:4: vertex 0"),
+        ("noise.prt", b"\xff\xfe", "noise.prt:1: not a text of ASCII characters"),
+        ("scene.json", b"{\"about\": 1}", "scene.json:1: column 11: invalid type"),
+    ];
+    for (name, bytes, expected) in inputs {
+        fs::write(at.join(name), bytes).unwrap();
+        let check = ["check", "good.npy", "good.bsp", "--input", name];
+        assert_fails(&stabline(at, &check), 3, expected);
+    }
+}
+
+#[test]
+fn a_failed_export_leaves_nothing_and_overwrites_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("good.json"), three_rooms_result()).unwrap();
+    fs::write(at.join("good.bsp"), level([15; 4])).unwrap();
+    fs::write(at.join("cut.bsp"), &level([15; 4])[..200]).unwrap();
+    fs::write(at.join("kept.bsp"), "precious").unwrap();
+    fs::create_dir(at.join("folder")).unwrap();
+    let before = names(at);
+    let export = |level: &str, output: &str| {
+        stabline(at, &["export", "good.json", "--bsp", level, "-o", output])
+    };
+    assert_fails(&export("cut.bsp", "kept.bsp"), 3, "cut.bsp: byte");
+    assert_fails(&export("good.bsp", "none/out.bsp"), 3, "none/out.bsp: cannot write: No such");
+    assert_fails(&export("good.bsp", "folder"), 3, "folder: cannot write");
+    let mut permissions = fs::metadata(at.join("kept.bsp")).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(at.join("kept.bsp"), permissions).unwrap();
+    assert_fails(&export("good.bsp", "kept.bsp"), 3, "cannot write: the file is read-only");
+    assert_eq!(fs::read(at.join("kept.bsp")).unwrap(), b"precious");
+    assert_eq!(names(at), before);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_an_error_and_a_closed_pipe_is_none() {
+    use std::process::{Command, Stdio};
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("good.json"), three_rooms_result()).unwrap();
+    fs::write(at.join("good.bsp"), level([15; 4])).unwrap();
+    let full = Path::new("/dev/full");
+    if full.exists() {
+        let export = ["export", "good.json", "--bsp", "good.bsp", "-o", "/dev/full"];
+        assert_fails(&stabline(at, &export), 3, "/dev/full: cannot write: No space left");
+        let device = fs::OpenOptions::new().write(true).open(full).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_stabline"))
+            .args(["schema"])
+            .stdout(device)
+            .stderr(Stdio::piped())
+            .output()
+            .unwrap();
+        assert_fails(&output, 3, "standard output: cannot write: No space left");
+    }
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let output = Command::new(env!("CARGO_BIN_EXE_stabline"))
+        .args(["schema", "pvs"])
+        .stdout(writer)
+        .stderr(Stdio::piped())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty());
+}
