@@ -12,6 +12,7 @@ mod files;
 mod interrupt;
 mod progress;
 mod schema;
+mod transversals;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::{Exit, Failure};
@@ -36,6 +37,7 @@ enum Command {
     Check(check::Args),
     Export(export::Args),
     Schema(schema::Args),
+    Transversals(transversals::Args),
 }
 
 impl Command {
@@ -44,6 +46,7 @@ impl Command {
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
             Command::Schema(args) => schema::run(args),
+            Command::Transversals(args) => transversals::run(args),
         }
     }
 }

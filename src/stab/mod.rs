@@ -1,4 +1,8 @@
-//! Which lines pass a sequence of portals: the exact verdict, with a witness.
+//! Stabbing lines of portal sequences, and the lines that meet four lines.
+//!
+//! [`Stabber`] keeps the cone of a growing sequence of portals in space; its verdict is open (with
+//! a rational witness), grazing (with a touching line) or blocked, each of the last two with a
+//! certificate. [`transversals`] answers four given lines.
 
 mod certificate;
 mod cone;
@@ -13,6 +17,7 @@ mod sequence;
 mod stabber;
 #[cfg(test)]
 mod tests;
+pub mod transversals;
 mod wedge;
 mod witness;
 
