@@ -100,10 +100,20 @@ impl Arena {
                 *sum += c / ids.len() as f64;
             }
         }
-        let radius = ids.iter().map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into())).fold(0.0, f64::max);
+        let radius = ids
+            .iter()
+            .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
+            .fold(0.0, f64::max);
         let plane = self.supporting_plane(ids);
         self.planes.push(plane);
-        self.spans.push(Span { first: first as u32, end: self.ids.len() as u32, from, to, center, radius });
+        self.spans.push(Span {
+            first: first as u32,
+            end: self.ids.len() as u32,
+            from,
+            to,
+            center,
+            radius,
+        });
     }
 
     /// The plane through three vertices of a convex polygon that are not collinear: the widest of
@@ -235,7 +245,10 @@ impl Arena {
 }
 impl Arena {
     pub fn grid_point(&self, v: u32) -> [crate::num::Int; 3] {
-        match &self.grid { Grid::Small(p) => p[v as usize].map(Into::into), Grid::Big(p) => p[v as usize].clone() }
+        match &self.grid {
+            Grid::Small(p) => p[v as usize].map(Into::into),
+            Grid::Big(p) => p[v as usize].clone(),
+        }
     }
 }
 
@@ -256,32 +269,59 @@ fn approximate(point: &BigPoint3, denominator: &Int) -> Approx3 {
 }
 
 /// temp
-pub enum Grid { /// small
- Small(Vec<[i64; 3]>), /// big
- Big(Vec<[Int; 3]>) }
+pub enum Grid {
+    /// small
+    Small(Vec<[i64; 3]>),
+    /// big
+    Big(Vec<[Int; 3]>),
+}
 impl Grid {
     /// temp
     pub fn new(v: &[BigPoint3]) -> Grid {
-        let small: Option<Vec<[i64; 3]>> = v.iter().map(|p| {
-            let c: Vec<i64> = p.coordinates.iter().filter_map(|c| c.to_i64().filter(|c| c.abs() < 1 << 38)).collect();
-            <[i64; 3]>::try_from(c).ok()
-        }).collect();
-        match small { Some(s) => Grid::Small(s), None => Grid::Big(v.iter().map(|p| p.coordinates.clone()).collect()) }
+        let small: Option<Vec<[i64; 3]>> = v
+            .iter()
+            .map(|p| {
+                let c: Vec<i64> = p
+                    .coordinates
+                    .iter()
+                    .filter_map(|c| c.to_i64().filter(|c| c.abs() < 1 << 38))
+                    .collect();
+                <[i64; 3]>::try_from(c).ok()
+            })
+            .collect();
+        match small {
+            Some(s) => Grid::Small(s),
+            None => Grid::Big(v.iter().map(|p| p.coordinates.clone()).collect()),
+        }
     }
     fn orient(&self, a: u32, b: u32, c: u32, d: u32) -> Sign {
-    match self {
-        Grid::Small(p) => {
-            let a = p[a as usize];
-            let f = |v: u32| { let v = p[v as usize]; [0, 1, 2].map(|i| (v[i] - a[i]) as i128) };
-            let (x, y, z) = (f(b), f(c), f(d));
-            Sign::of(&((x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2]))
+        match self {
+            Grid::Small(p) => {
+                let a = p[a as usize];
+                let f = |v: u32| {
+                    let v = p[v as usize];
+                    [0, 1, 2].map(|i| (v[i] - a[i]) as i128)
+                };
+                let (x, y, z) = (f(b), f(c), f(d));
+                Sign::of(
+                    &((x[1] * y[2] - x[2] * y[1]) * z[0]
+                        + (x[2] * y[0] - x[0] * y[2]) * z[1]
+                        + (x[0] * y[1] - x[1] * y[0]) * z[2]),
+                )
+            }
+            Grid::Big(p) => {
+                let a = &p[a as usize];
+                let f = |v: u32| {
+                    let v = &p[v as usize];
+                    [0, 1, 2].map(|i| &v[i] - &a[i])
+                };
+                let (x, y, z) = (f(b), f(c), f(d));
+                Sign::of(
+                    &((&x[1] * &y[2] - &x[2] * &y[1]) * &z[0]
+                        + (&x[2] * &y[0] - &x[0] * &y[2]) * &z[1]
+                        + (&x[0] * &y[1] - &x[1] * &y[0]) * &z[2]),
+                )
+            }
         }
-        Grid::Big(p) => {
-            let a = &p[a as usize];
-            let f = |v: u32| { let v = &p[v as usize]; [0, 1, 2].map(|i| &v[i] - &a[i]) };
-            let (x, y, z) = (f(b), f(c), f(d));
-            Sign::of(&((&x[1] * &y[2] - &x[2] * &y[1]) * &z[0] + (&x[2] * &y[0] - &x[0] * &y[2]) * &z[1] + (&x[0] * &y[1] - &x[1] * &y[0]) * &z[2]))
-        }
-    }
     }
 }

@@ -4,17 +4,35 @@ use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use super::bounds::{Bounds, Flood};
 use super::propose::{Bivector, Frame, Half, NormPoint, Outcome, half, propose_line};
-use glam::DVec3;
-use crate::predicates::filtered::{Approx3, FilteredLine};
 use super::separators::SeparatorCache;
+use crate::predicates::filtered::{Approx3, FilteredLine};
+use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line { pub p: [f64; 3], pub q: [f64; 3] }
+pub(crate) struct Line {
+    pub p: [f64; 3],
+    pub q: [f64; 3],
+}
 
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
-    pub nodes: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
-    pub parent_line: u64, pub proposed: u64, pub undecided: u64, pub planes: u64, pub open: u64, pub t_flood: f64, pub t_sep: f64, pub t_norm: f64, pub t_gordan: f64, pub t_line: f64,
+    pub nodes: u64,
+    pub floods: u64,
+    pub no_goal: u64,
+    pub inherited: u64,
+    pub solved: u64,
+    pub gordan: u64,
+    pub gordan_unproved: u64,
+    pub parent_line: u64,
+    pub proposed: u64,
+    pub undecided: u64,
+    pub planes: u64,
+    pub open: u64,
+    pub t_flood: f64,
+    pub t_sep: f64,
+    pub t_norm: f64,
+    pub t_gordan: f64,
+    pub t_line: f64,
     pub support: [u64; 8],
 }
 
@@ -47,15 +65,30 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     pub fn new(arena: &'a Arena, bounds: &'a Bounds) -> Self {
         Search {
-            arena, bounds, wanted: arena.no_cells(), found: Vec::new(), path: Vec::new(), crossed: arena.no_cells(), levels: Vec::new(), halves: Vec::new(), owners: Vec::new(), flood: Flood::new(arena),
-            planes: Vec::new(), candidates: arena.no_portals(), goals: arena.no_cells(), stats: Stats::default(), cache: SeparatorCache::default(),
+            arena,
+            bounds,
+            wanted: arena.no_cells(),
+            found: Vec::new(),
+            path: Vec::new(),
+            crossed: arena.no_cells(),
+            levels: Vec::new(),
+            halves: Vec::new(),
+            owners: Vec::new(),
+            flood: Flood::new(arena),
+            planes: Vec::new(),
+            candidates: arena.no_portals(),
+            goals: arena.no_cells(),
+            stats: Stats::default(),
+            cache: SeparatorCache::default(),
         }
     }
 
     pub fn run(&mut self, source: u32) {
         self.crossed.insert(source);
         for &first in self.arena.leaving(source) {
-            if self.wanted.is_empty() { break; }
+            if self.wanted.is_empty() {
+                break;
+            }
             if self.enter(first) {
                 self.visit();
             }
@@ -68,8 +101,13 @@ impl<'a> Search<'a> {
         let last = *self.path.last().unwrap();
         let arena = self.arena;
         for &next in arena.leaving(arena.to(last)) {
-            if self.wanted.is_empty() { return; }
-            if !self.levels[self.path.len() - 1].might.has(next) || self.crossed.has(arena.to(next)) { continue; }
+            if self.wanted.is_empty() {
+                return;
+            }
+            if !self.levels[self.path.len() - 1].might.has(next) || self.crossed.has(arena.to(next))
+            {
+                continue;
+            }
             if self.enter(next) {
                 self.visit();
             }
@@ -89,7 +127,13 @@ impl<'a> Search<'a> {
         let arena = self.arena;
         let depth = self.path.len();
         if self.levels.len() <= depth {
-            self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0 });
+            self.levels.push(Level {
+                might: arena.no_portals(),
+                norm: NormPoint::default(),
+                x: None,
+                line: None,
+                halves: 0,
+            });
         }
         self.path.push(next);
         self.crossed.insert(arena.to(next));
@@ -99,7 +143,8 @@ impl<'a> Search<'a> {
             self.candidates.clear();
             self.candidates.unite(self.bounds.after(next));
         } else {
-            self.candidates.assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
+            self.candidates
+                .assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
             for i in 0..depth {
                 let planes = self.cache.get(arena, self.path[i], next);
                 self.planes.extend_from_slice(planes);
@@ -119,10 +164,20 @@ impl<'a> Search<'a> {
         let t0 = std::time::Instant::now();
         let ok = self.feasible(depth);
         self.stats.t_norm += t0.elapsed().as_secs_f64();
-        if !ok { return false; }
+        if !ok {
+            return false;
+        }
         let t0 = std::time::Instant::now();
-        let open = if self.wanted.has(arena.to(next)) { self.decide(next, depth) } else {
-            self.levels[depth].line = if depth > 0 { self.levels[depth - 1].line.filter(|l| self.confirm_portal(l, next)) } else { None }; true };
+        let open = if self.wanted.has(arena.to(next)) {
+            self.decide(next, depth)
+        } else {
+            self.levels[depth].line = if depth > 0 {
+                self.levels[depth - 1].line.filter(|l| self.confirm_portal(l, next))
+            } else {
+                None
+            };
+            true
+        };
         self.stats.t_line += t0.elapsed().as_secs_f64();
         open
     }
@@ -131,7 +186,9 @@ impl<'a> Search<'a> {
         let arena = self.arena;
         self.flood.run(arena, next, &self.candidates, &self.planes);
         self.goals.assign_intersection(&self.flood.entered, &self.wanted);
-        if self.goals.is_empty() { return false; }
+        if self.goals.is_empty() {
+            return false;
+        }
         // backward
         let might = &mut self.levels[depth].might;
         might.clear();
@@ -139,7 +196,10 @@ impl<'a> Search<'a> {
         while let Some(cell) = stack.pop() {
             for &out in arena.leaving(cell) {
                 let into = reverse(out);
-                if self.flood.reached.has(into) && might.insert(into) && self.goals.insert(arena.from(into)) {
+                if self.flood.reached.has(into)
+                    && might.insert(into)
+                    && self.goals.insert(arena.from(into))
+                {
                     stack.push(arena.from(into));
                 }
             }
@@ -154,7 +214,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn at(&self, v: u32) -> DVec3 { DVec3::from(self.arena.point(v).floats()) }
+    fn at(&self, v: u32) -> DVec3 {
+        DVec3::from(self.arena.point(v).floats())
+    }
 
     /// the frame and halves of the current path
     fn frame(&mut self) -> Frame {
@@ -179,8 +241,14 @@ impl<'a> Search<'a> {
 
     fn feasible(&mut self, depth: usize) -> bool {
         let old = if depth == 0 { 0 } else { self.levels[depth - 1].halves };
-        let (norm, x) = if depth == 0 { (NormPoint::default(), None) } else { (self.levels[depth - 1].norm.clone(), self.levels[depth - 1].x) };
-        let inherited = x.filter(|x| self.owners[old..].iter().all(|&[u, v]| x.side(self.at(u), self.at(v)) > 0.0));
+        let (norm, x) = if depth == 0 {
+            (NormPoint::default(), None)
+        } else {
+            (self.levels[depth - 1].norm.clone(), self.levels[depth - 1].x)
+        };
+        let inherited = x.filter(|x| {
+            self.owners[old..].iter().all(|&[u, v]| x.side(self.at(u), self.at(v)) > 0.0)
+        });
         let n = self.owners.len();
         let level = &mut self.levels[depth];
         level.halves = n;
@@ -195,14 +263,21 @@ impl<'a> Search<'a> {
         let frame = self.frame();
         let level = &mut self.levels[depth];
         match level.norm.search(&self.halves, false) {
-            Outcome::Inside(x) => { level.x = Some(frame.world_bivector(&x)); true }
+            Outcome::Inside(x) => {
+                level.x = Some(frame.world_bivector(&x));
+                true
+            }
             Outcome::Excluded(set) => {
                 let t0 = std::time::Instant::now();
-                let edges: Vec<[u32; 2]> = set.iter().map(|&(i, _)| self.owners[i as usize]).collect();
+                let edges: Vec<[u32; 2]> =
+                    set.iter().map(|&(i, _)| self.owners[i as usize]).collect();
                 let proved = self.arena.excluded(&edges);
                 self.stats.t_gordan += t0.elapsed().as_secs_f64();
                 self.stats.support[set.len()] += 1;
-                if proved { self.stats.gordan += 1; return false; }
+                if proved {
+                    self.stats.gordan += 1;
+                    return false;
+                }
                 self.stats.gordan_unproved += 1;
                 level.x = None;
                 true
@@ -211,7 +286,10 @@ impl<'a> Search<'a> {
     }
 
     fn decide(&mut self, next: Directed, depth: usize) -> bool {
-        if depth > 0 && let Some(line) = self.levels[depth - 1].line && self.confirm_portal(&line, next) {
+        if depth > 0
+            && let Some(line) = self.levels[depth - 1].line
+            && self.confirm_portal(&line, next)
+        {
             self.stats.parent_line += 1;
             self.accept(depth, line);
             return true;
@@ -220,7 +298,8 @@ impl<'a> Search<'a> {
         let frame = self.frame();
         if let Outcome::Inside(x) = norm.search(&self.halves, true)
             && let Some((foot, d)) = propose_line(&mut self.halves, x)
-            && let Some(line) = self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth)
+            && let Some(line) =
+                self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth)
         {
             self.levels[depth].norm = norm;
             self.stats.proposed += 1;
@@ -228,7 +307,9 @@ impl<'a> Search<'a> {
             return true;
         }
         self.stats.undecided += 1;
-        if std::env::var("DBG").is_ok() { eprintln!("U {} {:?}", self.path.len(), self.path); }
+        if std::env::var("DBG").is_ok() {
+            eprintln!("U {} {:?}", self.path.len(), self.path);
+        }
         false
     }
 
@@ -239,7 +320,10 @@ impl<'a> Search<'a> {
         let q = if (q - p).length() < 64.0 { p + d * 64.0 } else { q };
         for bits in [0, 3, 6, 10, 16, 24] {
             let s = f64::from(1u32 << bits);
-            let line = Line { p: (p * s).round().to_array().map(|c| c / s), q: (q * s).round().to_array().map(|c| c / s) };
+            let line = Line {
+                p: (p * s).round().to_array().map(|c| c / s),
+                q: (q * s).round().to_array().map(|c| c / s),
+            };
             if self.path.iter().all(|&portal| self.confirm_portal(&line, portal)) {
                 return Some(line);
             }
@@ -249,9 +333,17 @@ impl<'a> Search<'a> {
 
     fn confirm_portal(&self, line: &Line, portal: Directed) -> bool {
         let ids = self.arena.vertices(portal);
-        let line = FilteredLine::through(&Approx3::exact(line.p), &Approx3::exact(line.q), self.arena.bound());
+        let line = FilteredLine::through(
+            &Approx3::exact(line.p),
+            &Approx3::exact(line.q),
+            self.arena.bound(),
+        );
         (0..ids.len()).all(|i| {
-            let edge = FilteredLine::through(self.arena.point(ids[i]), self.arena.point(ids[(i + 1) % ids.len()]), self.arena.bound());
+            let edge = FilteredLine::through(
+                self.arena.point(ids[i]),
+                self.arena.point(ids[(i + 1) % ids.len()]),
+                self.arena.bound(),
+            );
             line.side_of_edge(&edge) == Some(crate::num::Sign::Positive)
         })
     }

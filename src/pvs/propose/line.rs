@@ -47,7 +47,8 @@ fn search(halves: &mut Vec<Half>, mut x: Half) -> Option<LineSearch> {
         let (a, b) = (quadric(&y), dot(&y, &polar));
         let disc = b * b - 4.0 * a * q;
         let t = if disc >= 0.0 { 2.0 * q / (-b - disc.sqrt().copysign(b)) } else { -b / (2.0 * a) };
-        let t = if disc >= 0.0 && !(t > 0.0) { -(b + disc.sqrt().copysign(b)) / (2.0 * a) } else { t };
+        let t =
+            if disc >= 0.0 && !(t > 0.0) { -(b + disc.sqrt().copysign(b)) / (2.0 * a) } else { t };
         for (x, y) in x.iter_mut().zip(&y) {
             *x += t * y;
         }
