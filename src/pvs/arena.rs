@@ -125,6 +125,7 @@ impl Arena {
             }
         }
 <<<<<<< HEAD
+<<<<<<< HEAD
         let radius = ids.iter().map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into())).fold(0.0, f64::max);
         let edges: Vec<FilteredLine> = (0..ids.len())
             .map(|i| {
@@ -133,11 +134,16 @@ impl Arena {
             })
             .collect();
 =======
+=======
+>>>>>>> cone
         let radius = ids
             .iter()
             .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
             .fold(0.0, f64::max);
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
         let plane = self.supporting_plane(ids);
         self.edges.extend(edges);
         self.planes.push(plane);
@@ -368,6 +374,7 @@ impl Grid {
                 )
             }
         }
+<<<<<<< HEAD
     }
 }
 
@@ -390,5 +397,7 @@ impl Arena {
         let polys: Vec<Vec<[Int; 3]>> = path.iter().map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect()).collect();
         let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
         polys.into_iter().map(|p| crate::stab::Portal3::new(&p.into_iter().map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) }).collect::<Vec<_>>()).unwrap()).collect()
+=======
+>>>>>>> cone
     }
 }

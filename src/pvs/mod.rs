@@ -4,9 +4,13 @@ mod arena;
 mod bits;
 mod bounds;
 <<<<<<< HEAD
+<<<<<<< HEAD
 =======
 mod gordan;
 >>>>>>> formats
+=======
+mod gordan;
+>>>>>>> cone
 mod propose;
 mod search;
 mod separators;
@@ -45,6 +49,7 @@ pub fn run(graph: &PortalGraph) {
     }
     println!("upper {}", cellsee.iter().map(|c| c.count() as u64).sum::<u64>());
 <<<<<<< HEAD
+<<<<<<< HEAD
     let shared = bounds::SharedBounds::new(&bounds);
     let res: Vec<_> = order.par_iter().with_max_len(1).map_init(|| search::Search::new(&arena, &shared), |s, &a| {
         s.found.clear();
@@ -57,6 +62,8 @@ pub fn run(graph: &PortalGraph) {
         (a, want, s.found.len(), s.stats.clone(), t.elapsed().as_secs_f64())
     }).collect();
 =======
+=======
+>>>>>>> cone
     let res: Vec<_> = order
         .par_iter()
         .with_max_len(1)
@@ -78,7 +85,10 @@ pub fn run(graph: &PortalGraph) {
             },
         )
         .collect();
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
     println!("search {:?}", t.elapsed());
     let open: usize = res.iter().map(|r| r.2).sum();
     println!(
@@ -88,11 +98,14 @@ pub fn run(graph: &PortalGraph) {
     );
     let mut t = search::Stats::default();
 <<<<<<< HEAD
+<<<<<<< HEAD
     for r in &res { let s = &r.3; macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
         add!(nodes, nogood, cones, cone_portals, cone_open, t_cone, compat, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
 
         for i in 0..8 { t.support[i] += s.support[i]; } }
 =======
+=======
+>>>>>>> cone
     for r in &res {
         let s = &r.3;
         macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
@@ -119,7 +132,10 @@ pub fn run(graph: &PortalGraph) {
             t.support[i] += s.support[i];
         }
     }
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
     println!("{t:#?}");
     let mut w: Vec<_> = res.iter().map(|r| (r.4, r.0, r.3.nodes)).collect();
     w.sort_by(|a, b| b.0.total_cmp(&a.0));

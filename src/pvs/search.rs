@@ -17,9 +17,12 @@ pub(crate) struct Line {
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
 <<<<<<< HEAD
+<<<<<<< HEAD
     pub nodes: u64, pub nogood: u64, pub cones: u64, pub cone_portals: u64, pub cone_open: u64, pub t_cone: f64, pub compat: u64, pub floods: u64, pub no_goal: u64, pub inherited: u64, pub solved: u64, pub gordan: u64, pub gordan_unproved: u64,
     pub parent_line: u64, pub proposed: u64, pub undecided: u64, pub planes: u64, pub open: u64, pub t_flood: f64, pub t_sep: f64, pub t_norm: f64, pub t_gordan: f64, pub t_line: f64,
 =======
+=======
+>>>>>>> cone
     pub nodes: u64,
     pub floods: u64,
     pub no_goal: u64,
@@ -37,7 +40,10 @@ pub struct Stats {
     pub t_norm: f64,
     pub t_gordan: f64,
     pub t_line: f64,
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
     pub support: [u64; 8],
 }
 
@@ -78,9 +84,12 @@ impl<'a> Search<'a> {
     pub fn new(arena: &'a Arena, bounds: &'a SharedBounds) -> Self {
         Search {
 <<<<<<< HEAD
+<<<<<<< HEAD
             arena, bounds, wanted: arena.no_cells(), found: Vec::new(), path: Vec::new(), crossed: arena.no_cells(), levels: Vec::new(), halves: Vec::new(), owners: Vec::new(), flood: Flood::new(arena),
             planes: Vec::new(), active: Vec::new(), hints: Hints::default(), candidates: arena.no_portals(), goals: arena.no_cells(), nogoods: Default::default(), on_path: arena.no_portals(), half_owner: Vec::new(), goal_portals: arena.no_portals(), stats: Stats::default(), cache: SeparatorCache::default(),
 =======
+=======
+>>>>>>> cone
             arena,
             bounds,
             wanted: arena.no_cells(),
@@ -96,7 +105,10 @@ impl<'a> Search<'a> {
             goals: arena.no_cells(),
             stats: Stats::default(),
             cache: SeparatorCache::default(),
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
         }
     }
 
@@ -148,8 +160,11 @@ impl<'a> Search<'a> {
         let depth = self.path.len();
         if self.levels.len() <= depth {
 <<<<<<< HEAD
+<<<<<<< HEAD
             self.levels.push(Level { might: arena.no_portals(), norm: NormPoint::default(), x: None, line: None, halves: 0, planes: 0 });
 =======
+=======
+>>>>>>> cone
             self.levels.push(Level {
                 might: arena.no_portals(),
                 norm: NormPoint::default(),
@@ -157,7 +172,10 @@ impl<'a> Search<'a> {
                 line: None,
                 halves: 0,
             });
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
         }
         if self.is_nogood(next) { self.stats.nogood += 1; self.path.push(next); self.crossed.insert(arena.to(next)); self.on_path.insert(next); self.levels[depth].planes = self.planes.len(); return false; }
         self.on_path.insert(next);
@@ -170,11 +188,14 @@ impl<'a> Search<'a> {
             self.sift(next, depth, 0..0)
         } else {
 <<<<<<< HEAD
+<<<<<<< HEAD
             self.candidates.assign_shared_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
             self.sift(next, depth, 0..1) && {
                 std::mem::swap(&mut self.candidates, &mut self.flood.reached);
                 depth == 1 || self.sift(next, depth, 1..depth)
 =======
+=======
+>>>>>>> cone
             self.candidates
                 .assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
             for i in 0..depth {
@@ -228,6 +249,7 @@ impl<'a> Search<'a> {
         self.flood.run_hinted(arena, next, &self.candidates, |t| hints.any_behind(arena.center(t), |i| arena.wholly_behind_exact(cache.plane(planes[i]), t)));
         self.goals.assign_intersection(&self.flood.entered, &self.wanted);
 <<<<<<< HEAD
+<<<<<<< HEAD
         let _ = depth;
         !self.goals.is_empty()
     }
@@ -241,6 +263,8 @@ impl<'a> Search<'a> {
             if !self.goal_portals.has(t) && !self.bounds.after(t).intersects(&self.goal_portals) { self.flood.reached.remove(t); self.stats.compat += 1; }
         }
 =======
+=======
+>>>>>>> cone
         if self.goals.is_empty() {
             return false;
         }
@@ -454,7 +478,10 @@ impl<'a> Search<'a> {
                 p: (p * s).round().to_array().map(|c| c / s),
                 q: (q * s).round().to_array().map(|c| c / s),
             };
+<<<<<<< HEAD
 >>>>>>> formats
+=======
+>>>>>>> cone
             if self.path.iter().all(|&portal| self.confirm_portal(&line, portal)) {
                 return Some(line);
             }
@@ -464,9 +491,12 @@ impl<'a> Search<'a> {
 
     fn confirm_portal(&self, line: &Line, portal: Directed) -> bool {
 <<<<<<< HEAD
+<<<<<<< HEAD
         let line = FilteredLine::through(&Approx3::exact(line.p), &Approx3::exact(line.q), self.arena.bound());
         self.arena.edges(portal).iter().all(|edge| line.side_of_edge(edge) == Some(crate::num::Sign::Positive))
 =======
+=======
+>>>>>>> cone
         let ids = self.arena.vertices(portal);
         let line = FilteredLine::through(
             &Approx3::exact(line.p),
