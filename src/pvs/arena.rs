@@ -124,26 +124,16 @@ impl Arena {
                 *sum += c / ids.len() as f64;
             }
         }
-<<<<<<< HEAD
-<<<<<<< HEAD
-        let radius = ids.iter().map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into())).fold(0.0, f64::max);
+        let radius = ids
+            .iter()
+            .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
+            .fold(0.0, f64::max);
         let edges: Vec<FilteredLine> = (0..ids.len())
             .map(|i| {
                 let [a, b] = [i, (i + 1) % ids.len()].map(|i| &self.points[ids[i] as usize]);
                 FilteredLine::through(a, b, self.bound)
             })
             .collect();
-=======
-=======
->>>>>>> cone
-        let radius = ids
-            .iter()
-            .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
-            .fold(0.0, f64::max);
-<<<<<<< HEAD
->>>>>>> formats
-=======
->>>>>>> cone
         let plane = self.supporting_plane(ids);
         self.edges.extend(edges);
         self.planes.push(plane);
@@ -374,7 +364,6 @@ impl Grid {
                 )
             }
         }
-<<<<<<< HEAD
     }
 }
 
@@ -384,20 +373,36 @@ impl Arena {
     pub fn excluded(&self, edges: &[[u32; 2]]) -> bool {
         match &self.grid {
             Grid::Small(points) => {
-                let lines: Vec<[[f64; 3]; 2]> = edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
-                crate::predicates::gordan::exclude_each_other(&lines, || edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect())
+                let lines: Vec<[[f64; 3]; 2]> =
+                    edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
+                crate::predicates::gordan::exclude_each_other(&lines, || {
+                    edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect()
+                })
             }
-            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(&edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>()),
+            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(
+                &edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>(),
+            ),
         }
     }
 }
 
 impl Arena {
     pub fn exact_portals(&self, path: &[Directed]) -> Vec<crate::stab::Portal3> {
-        let polys: Vec<Vec<[Int; 3]>> = path.iter().map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect()).collect();
+        let polys: Vec<Vec<[Int; 3]>> = path
+            .iter()
+            .map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect())
+            .collect();
         let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
-        polys.into_iter().map(|p| crate::stab::Portal3::new(&p.into_iter().map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) }).collect::<Vec<_>>()).unwrap()).collect()
-=======
->>>>>>> cone
+        polys
+            .into_iter()
+            .map(|p| {
+                crate::stab::Portal3::new(
+                    &p.into_iter()
+                        .map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) })
+                        .collect::<Vec<_>>(),
+                )
+                .unwrap()
+            })
+            .collect()
     }
 }

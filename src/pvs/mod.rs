@@ -3,14 +3,6 @@
 mod arena;
 mod bits;
 mod bounds;
-<<<<<<< HEAD
-<<<<<<< HEAD
-=======
-mod gordan;
->>>>>>> formats
-=======
-mod gordan;
->>>>>>> cone
 mod propose;
 mod search;
 mod separators;
@@ -48,27 +40,12 @@ pub fn run(graph: &PortalGraph) {
         rank[c as usize] = i;
     }
     println!("upper {}", cellsee.iter().map(|c| c.count() as u64).sum::<u64>());
-<<<<<<< HEAD
-<<<<<<< HEAD
     let shared = bounds::SharedBounds::new(&bounds);
-    let res: Vec<_> = order.par_iter().with_max_len(1).map_init(|| search::Search::new(&arena, &shared), |s, &a| {
-        s.found.clear();
-        s.stats = Default::default();
-        s.wanted.clear();
-        for b in cellsee[a as usize].iter() { if rank[b as usize] > rank[a as usize] && cellsee[b as usize].has(a) { s.wanted.insert(b); } }
-        let want = s.wanted.count();
-        let t = std::time::Instant::now();
-        s.run(a);
-        (a, want, s.found.len(), s.stats.clone(), t.elapsed().as_secs_f64())
-    }).collect();
-=======
-=======
->>>>>>> cone
     let res: Vec<_> = order
         .par_iter()
         .with_max_len(1)
         .map_init(
-            || search::Search::new(&arena, &bounds),
+            || search::Search::new(&arena, &shared),
             |s, &a| {
                 s.found.clear();
                 s.stats = Default::default();
@@ -85,10 +62,6 @@ pub fn run(graph: &PortalGraph) {
             },
         )
         .collect();
-<<<<<<< HEAD
->>>>>>> formats
-=======
->>>>>>> cone
     println!("search {:?}", t.elapsed());
     let open: usize = res.iter().map(|r| r.2).sum();
     println!(
@@ -97,20 +70,17 @@ pub fn run(graph: &PortalGraph) {
         2 * res.iter().map(|r| r.1 as usize).sum::<usize>() + n as usize
     );
     let mut t = search::Stats::default();
-<<<<<<< HEAD
-<<<<<<< HEAD
-    for r in &res { let s = &r.3; macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
-        add!(nodes, nogood, cones, cone_portals, cone_open, t_cone, compat, floods, no_goal, inherited, solved, gordan, gordan_unproved, parent_line, proposed, undecided, planes, open, t_flood, t_sep, t_norm, t_gordan, t_line);
-
-        for i in 0..8 { t.support[i] += s.support[i]; } }
-=======
-=======
->>>>>>> cone
     for r in &res {
         let s = &r.3;
         macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
         add!(
             nodes,
+            nogood,
+            cones,
+            cone_portals,
+            cone_open,
+            t_cone,
+            compat,
             floods,
             no_goal,
             inherited,
@@ -128,14 +98,11 @@ pub fn run(graph: &PortalGraph) {
             t_gordan,
             t_line
         );
+
         for i in 0..8 {
             t.support[i] += s.support[i];
         }
     }
-<<<<<<< HEAD
->>>>>>> formats
-=======
->>>>>>> cone
     println!("{t:#?}");
     let mut w: Vec<_> = res.iter().map(|r| (r.4, r.0, r.3.nodes)).collect();
     w.sort_by(|a, b| b.0.total_cmp(&a.0));

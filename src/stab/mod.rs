@@ -1,12 +1,8 @@
-<<<<<<< HEAD
-//! Which lines pass a sequence of portals: the exact verdict, with a witness.
-=======
 //! Stabbing lines of portal sequences, and the lines that meet four lines.
 //!
 //! [`Stabber`] keeps the cone of a growing sequence of portals in space; its verdict is open (with
 //! a rational witness), grazing (with a touching line) or blocked, each of the last two with a
 //! certificate. [`transversals`] answers four given lines.
->>>>>>> cone
 
 mod certificate;
 mod cone;

@@ -69,7 +69,6 @@ fn search(halves: &mut Vec<Half>, mut x: Half) -> Result<LineSearch, Vec<u32>> {
         };
         // Q(x + t y) = q + b t + a t^2
         let (a, b) = (quadric(&y), dot(&y, &polar));
-<<<<<<< HEAD
         match crossing(q, b, a) {
             Some(t) => {
                 for (x, y) in x.iter_mut().zip(&y) {
@@ -77,14 +76,6 @@ fn search(halves: &mut Vec<Half>, mut x: Half) -> Result<LineSearch, Vec<u32>> {
                 }
             }
             None => x = y,
-=======
-        let disc = b * b - 4.0 * a * q;
-        let t = if disc >= 0.0 { 2.0 * q / (-b - disc.sqrt().copysign(b)) } else { -b / (2.0 * a) };
-        let t =
-            if disc >= 0.0 && !(t > 0.0) { -(b + disc.sqrt().copysign(b)) / (2.0 * a) } else { t };
-        for (x, y) in x.iter_mut().zip(&y) {
-            *x += t * y;
->>>>>>> formats
         }
         let norm = dot(&x, &x).sqrt();
         x = x.map(|c| c / norm);
