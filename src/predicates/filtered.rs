@@ -91,6 +91,14 @@ impl Approx3 {
         Approx3 { p, held }
     }
 
+    /// The point whose coordinates are these integers, below 2^53 in magnitude, times 2^-bits.
+    pub fn dyadic(integers: [i64; 3], bits: u32) -> Approx3 {
+        debug_assert!(integers.iter().all(|c| c.unsigned_abs() < 1 << 53), "not a float");
+        debug_assert!(bits < 64, "a unit that small is not needed");
+        let unit = 1.0 / (1u64 << bits) as f64;
+        Approx3::exact(integers.map(|c| c as f64 * unit))
+    }
+
     /// A point whose true coordinates have these nearest floats (ties either way).
     pub fn rounded(p: [f64; 3]) -> Approx3 {
         Approx3 { p, held: Held::Rounded }
@@ -137,6 +145,11 @@ impl Bound {
     /// The bound of some points. Points that are used later with it must lie within it too.
     pub fn of<'a>(points: impl IntoIterator<Item = &'a Approx3>) -> Bound {
         Bound::new(largest(points.into_iter().flat_map(|point| point.p)))
+    }
+
+    /// Twice the bound.
+    pub fn doubled(self) -> Bound {
+        Bound::new(2.0 * self.b)
     }
 
     /// Whether the bound holds for a point.
