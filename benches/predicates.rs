@@ -75,8 +75,11 @@ fn edges(data: Data) -> Vec<[Point3; 2]> {
     edges.into_iter().map(|[p, q]| [point(p), point(q)]).collect()
 }
 
-/// Four different places of the pool, over and over.
-fn queries() -> Vec<[u16; 4]> {
+/// Four different places of the pool.
+type Query = [u16; 4];
+
+/// Queries enough that no branch predictor learns their answers.
+fn queries() -> Vec<Query> {
     let mut random = Random(3);
     let mut query = || {
         let mut places = [0u16; 4];
@@ -90,11 +93,14 @@ fn queries() -> Vec<[u16; 4]> {
     (0..QUERIES).map(|_| query()).collect()
 }
 
+/// Answers queries; the sum of the signs.
+type Run<'a> = Box<dyn Fn(&[Query]) -> i64 + 'a>;
+
 /// One way to answer all queries; slow ones answer only the first few.
 struct Variant<'a> {
     name: &'static str,
     queries: usize,
-    run: Box<dyn Fn(&[[u16; 4]]) -> i64 + 'a>,
+    run: Run<'a>,
 }
 
 /// A variant whose answer is an expression in the four places of a query.
@@ -238,8 +244,12 @@ fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data) {
     let budget = black_box(Budget::for_bits(BITS));
     let (off, wide) = (budget.without_filters(), black_box(Budget::for_bits(33)));
     let edges = edges(data);
-    let lines: Vec<Line> = edges.iter().map(|[p, q]| Line::through(p, q)).collect();
-    let floats: Vec<([f64; 3], [f64; 3])> = lines.iter().map(|line| *line.floats()).collect();
+    let lines: Vec<Line> =
+        edges.iter().map(|[p, q]| Line::through(p, q).expect("within the range")).collect();
+    let floats: Vec<([f64; 3], [f64; 3])> = lines
+        .iter()
+        .map(|line| (*line.float_direction(), line.moment().map(|m| m as f64)))
+        .collect();
     let theirs: Vec<[robust::Coord3D<f64>; 2]> = edges
         .iter()
         .map(|edge| edge.map(|p| p.floats()).map(|[x, y, z]| robust::Coord3D { x, y, z }))

@@ -53,3 +53,19 @@ pub fn counts() -> Option<Counts> {
     #[cfg(not(feature = "counters"))]
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_counted_where_asked_for() {
+        let before = counts();
+        record(Predicate::CompareCrossings, Stage::Big);
+        assert_eq!(before.is_some(), cfg!(feature = "counters"));
+        if let (Some(before), Some(after)) = (before, counts()) {
+            let (row, column) = (Predicate::CompareCrossings as usize, Stage::Big as usize);
+            assert!(after[row][column] > before[row][column]);
+        }
+    }
+}

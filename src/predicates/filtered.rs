@@ -377,15 +377,9 @@ impl LineScale {
 /// The sign of a true value that `value` is within `error` of, if that says it.
 #[inline(always)]
 fn decide(value: f64, error: f64) -> Option<Sign> {
-    if value > error {
-        Some(Sign::Positive)
-    } else if value < -error {
-        Some(Sign::Negative)
-    } else if error == 0.0 {
-        Some(Sign::Zero)
-    } else {
-        None
-    }
+    // One branch, nearly always the same way: the sign itself is taken without one. An error of
+    // zero is that of exact points, whose value is never NaN.
+    if value.abs() > error || error == 0.0 { Some(Sign::of(&value)) } else { None }
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Points, and vertices given by three planes, against a plane.
 
-use super::budget::{Budget, ORIENT2D, SIDE_OF_PLANE};
+use super::budget::{Budget, ORIENT2D};
 use super::counters::{Predicate, Stage, record};
 use super::meets::{self, side_of_meets_big_value, side_of_meets_exact, side_of_meets_filter};
 use super::ring::{cross, dot, sign_of_i128};
@@ -20,7 +20,7 @@ use crate::num::{Int192, Sign};
 ///
 /// Contract: exact, degree 3, unperturbed
 ///
-/// Source: the definition of a plane's sides; the ranges are derived beside [`SIDE_OF_PLANE`].
+/// Source: the definition of a plane's sides; the range is derived in `budget`.
 #[inline]
 pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
     debug_assert!(budget.holds(v), "a point exceeds its budget");
@@ -31,16 +31,18 @@ pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
 /// The fixed-width stage of [`side_of_plane`].
 #[inline]
 pub fn side_of_plane_exact(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
-    let v = v.integers().map(i128::from);
     if budget.bits() <= ORIENT2D.largest_grid(64) {
         // Normals, which are minors of differences, fit 64 bits: one instruction a product.
         let normal = plane.normal().map(|n| i128::from(n as i64));
-        return sign_of_i128(dot(&normal, &v) - plane.offset());
+        return sign_of_i128(dot(&normal, &v.integers().map(i128::from)) - plane.offset());
     }
-    if budget.bits() <= SIDE_OF_PLANE.largest_grid(128) {
-        return sign_of_i128(dot(&plane.normal(), &v) - plane.offset());
-    }
-    // The plane is one of 40 bits, the point may have 53: 2·40 + 3 + 53 + 2 bits.
+    side_of_long_plane(plane, v)
+}
+
+/// The plane is one of 40 bits, the point may have 53: 2·40 + 3 + 53 + 2 bits.
+#[inline(never)]
+fn side_of_long_plane(plane: &Plane, v: &Point3) -> Sign {
+    let v = v.integers().map(i128::from);
     let term = |i: usize| Int192::from(plane.normal()[i]).times_i128(v[i]);
     (term(0) + term(1) + term(2) - Int192::from(plane.offset())).sign()
 }

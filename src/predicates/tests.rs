@@ -103,12 +103,14 @@ fn check_points(p: &[Point3; 4], budget: &Budget) {
         assert_eq!(orient3d(a, b, c, d, &budget), exact);
     }
 
-    let (x, y) = (Line::through(a, b), Line::through(c, d));
-    assert_eq!(side_of_lines_exact(&x, &y, budget), exact);
     assert_eq!(side_of_lines_big(&BigLine::through(e, f), &BigLine::through(g, h)), exact);
-    agrees(side_of_lines_filter(&x, &y, budget), exact);
-    for budget in [*budget, off, full, full.without_filters()] {
-        assert_eq!(side_of_lines(&x, &y, &budget), exact);
+    if let (Some(x), Some(y)) = (Line::through(a, b), Line::through(c, d)) {
+        assert_eq!(BigLine::from(x), BigLine::through(e, f));
+        assert_eq!(side_of_lines_exact(&x, &y), exact);
+        agrees(side_of_lines_filter(&x, &y, budget), exact);
+        for budget in [*budget, off, full, full.without_filters()] {
+            assert_eq!(side_of_lines(&x, &y, &budget), exact);
+        }
     }
 
     let [s, t, u] = flat([*a, *b, *c]);
@@ -181,14 +183,16 @@ proptest! {
             for movement in movements(&mut random) {
                 let [a, b, c, d] = p.map(|p| movement.apply(p));
                 prop_assert_eq!(sign([&a, &b, &c, &d]), expected * movement.sense);
-                let lines = (Line::through(&a, &b), Line::through(&c, &d));
-                prop_assert_eq!(
-                    side_of_lines(&lines.0, &lines.1, &Budget::FULL), expected * movement.sense);
+                if let (Some(x), Some(y)) = (Line::through(&a, &b), Line::through(&c, &d)) {
+                    let side = side_of_lines(&x, &y, &Budget::FULL);
+                    prop_assert_eq!(side, expected * movement.sense);
+                }
             }
-            let (x, y) = (Line::through(a, b), Line::through(c, d));
-            prop_assert_eq!(side_of_lines(&y, &x, &Budget::FULL), expected);
-            prop_assert_eq!(side_of_lines(&x.reversed(), &y, &Budget::FULL), -expected);
-            prop_assert_eq!(side_of_lines(&x, &x, &Budget::FULL), Sign::Zero);
+            if let (Some(x), Some(y)) = (Line::through(a, b), Line::through(c, d)) {
+                prop_assert_eq!(side_of_lines(&y, &x, &Budget::FULL), expected);
+                prop_assert_eq!(side_of_lines(&x.reversed(), &y, &Budget::FULL), -expected);
+                prop_assert_eq!(side_of_lines(&x, &x, &Budget::FULL), Sign::Zero);
+            }
 
             let [s, t, u] = &flat([*a, *b, *c]);
             let turn = orient2d(s, t, u);
