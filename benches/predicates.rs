@@ -4,8 +4,8 @@
 //! The inputs are pools of points, lines and planes that fit the first cache, asked about in a
 //! random order too long for a branch predictor to learn. After criterion's own report (or alone,
 //! with `cargo bench --bench predicates -- --table`) a table of ratios to plain floats is
-//! printed: the median over rounds in which the variants take turns, so that what else runs on
-//! the machine slows all of them. |coordinates| <= 2^20 unless said otherwise.
+//! printed: of each variant's least time over a hundred rounds in which the variants take turns,
+//! so that what else runs on the machine disturbs the least. |coordinates| <= 2^20 unless said otherwise.
 
 use criterion::Criterion;
 use stabline::geom::{Line, Plane, Point2, Point3};
@@ -135,29 +135,17 @@ fn report(criterion: &mut Option<Criterion>, group: &str, variants: &[Variant]) 
         group.finish();
         return;
     }
-    let mut ratios = vec![Vec::new(); variants.len()];
-    let mut nanoseconds = Vec::new();
-    for _ in 0..61 {
-        let times: Vec<f64> = variants
-            .iter()
-            .map(|variant| {
-                let start = Instant::now();
-                black_box((variant.run)(black_box(&queries[..variant.queries])));
-                start.elapsed().as_nanos() as f64 / variant.queries as f64
-            })
-            .collect();
-        for (ratio, time) in ratios.iter_mut().zip(&times) {
-            ratio.push(time / times[0]);
+    let mut least = vec![f64::INFINITY; variants.len()];
+    for _ in 0..101 {
+        for (least, variant) in least.iter_mut().zip(variants) {
+            let start = Instant::now();
+            black_box((variant.run)(black_box(&queries[..variant.queries])));
+            *least = least.min(start.elapsed().as_nanos() as f64 / variant.queries as f64);
         }
-        nanoseconds.push(times[0]);
     }
-    let median = |values: &mut Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
-    };
-    print!("{group:34} plain {:.2} ns |", median(&mut nanoseconds));
-    for (variant, ratio) in variants.iter().zip(&mut ratios).skip(1) {
-        print!(" {} {:.2} |", variant.name, median(ratio));
+    print!("{group:34} plain {:.2} ns |", least[0]);
+    for (variant, time) in variants.iter().zip(&least).skip(1) {
+        print!(" {} {:.2} |", variant.name, time / least[0]);
     }
     println!();
 }

@@ -11,9 +11,6 @@ use crate::num::Int;
 /// The largest magnitude of the coordinates of two points whose line [`Line`] holds.
 const MAX_COORDINATE: i64 = 1 << 38;
 
-/// Moments are split at a multiple of this.
-const SPLIT: i128 = 1 << 25;
-
 /// A directed line through two points: integer Plücker coordinates, held exactly in floats.
 ///
 /// For points of |coordinate| <= 2^b, b <= 38: |direction| <= 2^(b+1), |moment| <= 2^(2b+1).
@@ -35,6 +32,9 @@ pub struct BigLine {
 }
 
 impl Line {
+    /// Moments are split at a multiple of this: 2^25.
+    pub const SPLIT: i64 = 1 << 25;
+
     /// The line from `p` through `q`, or `None` where a coordinate exceeds 2^38 in magnitude
     /// ([`BigLine::through`] has no limit).
     ///
@@ -47,7 +47,8 @@ impl Line {
         let product = |i: usize, j: usize| i128::from(p[i]) * i128::from(q[j]);
         let split = |i: usize, j: usize| {
             let m = product(i, j) - product(j, i);
-            let low = (m + SPLIT / 2).rem_euclid(SPLIT) - SPLIT / 2;
+            let split = i128::from(Line::SPLIT);
+            let low = (m + split / 2).rem_euclid(split) - split / 2;
             [(m - low) as f64, low as f64]
         };
         Some(Line {
@@ -67,7 +68,8 @@ impl Line {
     pub fn moment(&self) -> [i128; 3] {
         // The high part has at most 2·38 + 1 bits, the quotient fits an i64.
         let whole = |x: f64| i128::from(x as i64);
-        self.moment.map(|[high, low]| whole(high / SPLIT as f64) * SPLIT + whole(low))
+        let split = Line::SPLIT;
+        self.moment.map(|[high, low]| whole(high / split as f64) * i128::from(split) + whole(low))
     }
 
     /// The direction in floats, exactly.

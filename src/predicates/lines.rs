@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, RESIDUE_BITS, SIDE_OF_LINES, SPLIT_BITS};
 use super::counters::{Predicate, Stage, record};
-use super::ring::{Residue, dot, sign_of_i128};
+use super::ring::{Residue, Ring, dot, sign_of_i128};
 use crate::geom::{BigLine, Line};
 use crate::num::Sign;
 
@@ -52,11 +52,27 @@ fn side_beyond_floats(x: &Line, y: &Line, budget: &Budget) -> Sign {
     }
     record(Predicate::SideOfLines, Stage::Fixed);
     if budget.bits() <= RESIDUE_BITS {
-        let (d, e) = (x.direction().map(Residue), y.direction().map(Residue));
-        let [m, n] = [x, y].map(|line| line.moment().map(|m| Residue(m as i64)));
+        let (d, e) = (x.float_direction().map(residue), y.float_direction().map(residue));
+        let (m, n) = (moment_residues(x), moment_residues(y));
         return Sign::of(&dot(&d, &n).0.wrapping_add(dot(&m, &e).0));
     }
     side_of_lines_exact(x, y)
+}
+
+/// An integer of at most 2^51 in magnitude, held in a float. Adding 3·2^51 aligns its last bit with
+/// that of the float's 52-bit fraction, and makes every such sum share one exponent.
+#[inline(always)]
+fn residue(x: f64) -> Residue {
+    const ALIGN: f64 = 6_755_399_441_055_744.0;
+    Residue(((x + ALIGN).to_bits() as i64).wrapping_sub(ALIGN.to_bits() as i64))
+}
+
+/// The moment modulo 2^64. Up to 35 bits its high part is less than 2^47 times 2^25.
+#[inline(always)]
+fn moment_residues(line: &Line) -> [Residue; 3] {
+    let step = Line::SPLIT as f64;
+    line.split_moment()
+        .map(|[high, low]| residue(high / step).times(&Residue(Line::SPLIT)).plus(&residue(low)))
 }
 
 /// S_h + S_l, as `budget` names them.
