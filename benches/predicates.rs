@@ -46,8 +46,8 @@ enum Data {
 }
 
 /// Pairs of points, the end points of edges.
-fn edges(data: Data) -> Vec<[Point3; 2]> {
-    let (mut random, c) = (Random(1), 1i64 << BITS);
+fn edges(data: Data, bits: u32) -> Vec<[Point3; 2]> {
+    let (mut random, c) = (Random(1), 1i64 << bits);
     let levels = [(); 3].map(|()| [(); 6].map(|()| random.within(c)));
     let mut axial = || [0, 1, 2].map(|k: usize| levels[k][random.below(6) as usize]);
     let mut edges: Vec<[[i64; 3]; 2]> = Vec::new();
@@ -171,10 +171,10 @@ fn rational_determinant(points: [&[Rational; 3]; 4]) -> Sign {
     Sign::of(&(minor(1, 2) * &w[0] + minor(2, 0) * &w[1] + minor(0, 1) * &w[2]))
 }
 
-fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let wide = black_box(Budget::for_bits(33));
-    let points: Vec<Point3> = edges(data).into_iter().map(|[p, _]| p).collect();
+    let points: Vec<Point3> = edges(data, bits).into_iter().map(|[p, _]| p).collect();
     let floats: Vec<[f64; 3]> = points.iter().map(Point3::floats).collect();
     let rationals: Vec<[Rational; 3]> =
         points.iter().map(|p| p.integers().map(|c| Rational::from(Int::from(c)))).collect();
@@ -228,15 +228,15 @@ fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data) {
     report(criterion, &format!("compare_along_line/{name}"), &list);
 }
 
-fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let (off, wide) = (budget.without_filters(), black_box(Budget::for_bits(33)));
-    let edges = edges(data);
+    let edges = edges(data, bits);
     let lines: Vec<Line> =
         edges.iter().map(|[p, q]| Line::through(p, q).expect("within the range")).collect();
     let floats: Vec<([f64; 3], [f64; 3])> = lines
         .iter()
-        .map(|line| (*line.float_direction(), line.moment().map(|m| m as f64)))
+        .map(|line| (line.paired_direction().map(|[d, _]| d), line.moment().map(|m| m as f64)))
         .collect();
     let theirs: Vec<[robust::Coord3D<f64>; 2]> = edges
         .iter()
@@ -257,10 +257,10 @@ fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data) {
     report(criterion, &format!("side_of_lines/{name}"), &list);
 }
 
-fn bench_planes(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_planes(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let off = budget.without_filters();
-    let edges = edges(data);
+    let edges = edges(data, bits);
     let points: Vec<Point3> = edges.iter().map(|[p, _]| *p).collect();
     let planes: Vec<Plane> = edges
         .iter()
@@ -322,7 +322,8 @@ fn bench_filtered(criterion: &mut Option<Criterion>, name: &str, data: Data, int
         let scaled = p.floats().map(|c| c / 256.0);
         if integers { Approx3::exact(scaled.map(f64::floor)) } else { Approx3::rounded(scaled) }
     };
-    let points: Vec<[Approx3; 2]> = edges(data).iter().map(|[p, q]| [world(p), world(q)]).collect();
+    let points: Vec<[Approx3; 2]> =
+        edges(data, BITS).iter().map(|[p, q]| [world(p), world(q)]).collect();
     let bound = Bound::of(points.as_flattened());
     let lines: Vec<FilteredLine> =
         points.iter().map(|[p, q]| FilteredLine::through(p, q, bound)).collect();
@@ -358,14 +359,16 @@ fn main() {
     let passes = if table_only { vec![None] } else { vec![Some(criterion()), None] };
     for mut criterion in passes {
         let data = [
-            ("random", Data::Random),
-            ("aligned", Data::Aligned),
-            ("near-degenerate", Data::NearlyDegenerate),
+            ("random", Data::Random, BITS),
+            ("aligned", Data::Aligned, BITS),
+            ("near-degenerate", Data::NearlyDegenerate, BITS),
+            ("random, 16 bits", Data::Random, 16),
+            ("aligned, 16 bits", Data::Aligned, 16),
         ];
-        for (name, data) in data {
-            bench_points(&mut criterion, name, data);
-            bench_lines(&mut criterion, name, data);
-            bench_planes(&mut criterion, name, data);
+        for (name, data, bits) in data {
+            bench_points(&mut criterion, name, data, bits);
+            bench_lines(&mut criterion, name, data, bits);
+            bench_planes(&mut criterion, name, data, bits);
         }
         bench_filtered(&mut criterion, "random integers", Data::Random, true);
         bench_filtered(&mut criterion, "aligned integers", Data::Aligned, true);

@@ -14,11 +14,14 @@ const MAX_COORDINATE: i64 = 1 << 38;
 /// A directed line through two points: integer Plücker coordinates, held exactly in floats.
 ///
 /// For points of |coordinate| <= 2^b, b <= 38: |direction| <= 2^(b+1), |moment| <= 2^(2b+1).
+///
+/// Pairs of floats lie side by side, and aligned, so that one instruction multiplies both.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(16))]
 pub struct Line {
-    direction: [f64; 3],
-    /// The nearest multiple of 2^25, and what remains, at most 2^24 in magnitude. The two lie side
-    /// by side: what one is multiplied by, so is the other, in the same instruction.
+    /// Each coordinate twice.
+    direction: [[f64; 2]; 3],
+    /// The nearest multiple of 2^25, and what remains, at most 2^24 in magnitude.
     moment: [[f64; 2]; 3],
 }
 
@@ -52,7 +55,7 @@ impl Line {
             [(m - low) as f64, low as f64]
         };
         Some(Line {
-            direction: std::array::from_fn(|i| (q[i] - p[i]) as f64),
+            direction: std::array::from_fn(|i| [(q[i] - p[i]) as f64; 2]),
             moment: [split(1, 2), split(2, 0), split(0, 1)],
         })
     }
@@ -60,7 +63,7 @@ impl Line {
     /// q - p.
     #[inline]
     pub fn direction(&self) -> [i64; 3] {
-        self.direction.map(|d| d as i64)
+        self.direction.map(|[d, _]| d as i64)
     }
 
     /// p x q.
@@ -72,9 +75,9 @@ impl Line {
         self.moment.map(|[high, low]| whole(high / split as f64) * i128::from(split) + whole(low))
     }
 
-    /// The direction in floats, exactly.
+    /// The direction in floats, exactly, each coordinate twice.
     #[inline]
-    pub fn float_direction(&self) -> &[f64; 3] {
+    pub fn paired_direction(&self) -> &[[f64; 2]; 3] {
         &self.direction
     }
 
@@ -87,7 +90,7 @@ impl Line {
     /// The same line in the other direction.
     pub fn reversed(&self) -> Line {
         Line {
-            direction: self.direction.map(|c| -c),
+            direction: self.direction.map(|pair| pair.map(|c| -c)),
             moment: self.moment.map(|parts| parts.map(|c| -c)),
         }
     }

@@ -52,7 +52,7 @@ fn side_beyond_floats(x: &Line, y: &Line, budget: &Budget) -> Sign {
     }
     record(Predicate::SideOfLines, Stage::Fixed);
     if budget.bits() <= RESIDUE_BITS {
-        let (d, e) = (x.float_direction().map(residue), y.float_direction().map(residue));
+        let [d, e] = [x, y].map(|line| line.paired_direction().map(|[d, _]| residue(d)));
         let (m, n) = (moment_residues(x), moment_residues(y));
         return Sign::of(&dot(&d, &n).0.wrapping_add(dot(&m, &e).0));
     }
@@ -79,16 +79,16 @@ fn moment_residues(line: &Line) -> [Residue; 3] {
 #[inline(always)]
 fn float_side(x: &Line, y: &Line) -> f64 {
     let [high, low] = plus(
-        split_dot(x.float_direction(), y.split_moment()),
-        split_dot(y.float_direction(), x.split_moment()),
+        split_dot(x.paired_direction(), y.split_moment()),
+        split_dot(y.paired_direction(), x.split_moment()),
     );
     high + low
 }
 
 /// The product of a direction and both parts of a moment.
 #[inline(always)]
-fn split_dot(d: &[f64; 3], m: &[[f64; 2]; 3]) -> [f64; 2] {
-    let term = |i: usize| m[i].map(|part| d[i] * part);
+fn split_dot(d: &[[f64; 2]; 3], m: &[[f64; 2]; 3]) -> [f64; 2] {
+    let term = |i: usize| [d[i][0] * m[i][0], d[i][1] * m[i][1]];
     plus(plus(term(0), term(1)), term(2))
 }
 

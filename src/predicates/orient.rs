@@ -67,7 +67,11 @@ pub fn orient2d_big(a: &BigPoint2, b: &BigPoint2, c: &BigPoint2) -> Sign {
 #[inline]
 pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
     debug_assert!([a, b, c, d].iter().all(|p| budget.holds(p)), "a point exceeds its budget");
-    // Up to here integers are as quick as floats, and exact zeros cost nothing extra.
+    // On small grids integers are as quick as floats, and exact zeros cost nothing extra.
+    if budget.bits() <= VALUE_IN_I64 {
+        record(Predicate::Orient3d, Stage::Fixed);
+        return orient3d_shortest(a, b, c, d);
+    }
     if budget.bits() <= MINOR_IN_I64 {
         record(Predicate::Orient3d, Stage::Fixed);
         return orient3d_short(a, b, c, d);
@@ -75,19 +79,33 @@ pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget)
     orient3d_long(a, b, c, d, budget)
 }
 
+/// The largest grid on which the value, below 2^(3b+6), is an `i64`.
+const VALUE_IN_I64: u32 = ORIENT3D.largest_grid(64);
+
+/// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
+const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
+
+/// [`orient3d`] where the value fits 64 bits.
+#[inline(always)]
+fn orient3d_shortest(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
+    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
+    Sign::of(&dot(&cross(&c, &b), &d))
+}
+
 /// [`orient3d`] where minors fit 64 bits.
 #[inline(always)]
 fn orient3d_short(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
-    // The second coordinate is mirrored, and b and c are swapped to make up for it: subtracting
-    // alternately from left and right keeps the compiler from pairing the subtractions in vector
-    // registers, which it would only have to take apart again for the products.
-    let a = a.integers();
-    let from_a = |p: &Point3| {
-        let [x, y, z] = p.integers();
-        [x - a[0], a[1] - y, z - a[2]]
-    };
-    let (b, c, d) = (from_a(b), from_a(c), from_a(d));
+    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
     sign_of_i128(dot(&cross(&c, &b).map(i128::from), &d.map(i128::from)))
+}
+
+/// The difference p - a with its second coordinate mirrored, which swapping b and c makes up for.
+/// Subtracting alternately from left and right keeps the compiler from pairing the subtractions
+/// in vector registers, only to take them apart again for the products.
+#[inline(always)]
+fn mirrored(a: &Point3, p: &Point3) -> [i64; 3] {
+    let ([a, b, c], [x, y, z]) = (a.integers(), p.integers());
+    [x - a, b - y, z - c]
 }
 
 /// [`orient3d`] beyond that. Apart, so that the rest is small enough to be inlined.
@@ -107,9 +125,6 @@ fn orient3d_long(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget
     }
     orient3d_exact(a, b, c, d, budget)
 }
-
-/// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
-const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
 
 /// The float stage of [`orient3d`]; the error bound is derived in `budget`.
 #[inline]
@@ -136,6 +151,9 @@ pub fn orient3d_filter(
 /// The fixed-width stage of [`orient3d`], in the narrowest width that the budget allows.
 #[inline]
 pub fn orient3d_exact(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
+    if budget.bits() <= VALUE_IN_I64 {
+        return orient3d_shortest(a, b, c, d);
+    }
     if budget.bits() <= MINOR_IN_I64 {
         return orient3d_short(a, b, c, d);
     }

@@ -1,6 +1,6 @@
 //! Points, and vertices given by three planes, against a plane.
 
-use super::budget::{Budget, ORIENT2D};
+use super::budget::{Budget, ORIENT2D, SIDE_OF_PLANE};
 use super::counters::{Predicate, Stage, record};
 use super::meets::{self, side_of_meets_big_value, side_of_meets_exact, side_of_meets_filter};
 use super::ring::{cross, dot, sign_of_i128};
@@ -31,6 +31,10 @@ pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
 /// The fixed-width stage of [`side_of_plane`].
 #[inline]
 pub fn side_of_plane_exact(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
+    if budget.bits() <= SIDE_OF_PLANE.largest_grid(64) {
+        let normal = plane.normal().map(|n| n as i64);
+        return Sign::of(&(dot(&normal, &v.integers()) - plane.offset() as i64));
+    }
     if budget.bits() <= ORIENT2D.largest_grid(64) {
         // Normals, which are minors of differences, fit 64 bits: one instruction a product.
         let normal = plane.normal().map(|n| i128::from(n as i64));
