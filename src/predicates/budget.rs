@@ -6,7 +6,7 @@
 //! the same table (a test keeps the two in step). [`Budget`] carries b, and the float error
 //! bounds that follow from it, to the predicates.
 
-use crate::geom::Point3;
+use crate::geom::{Line, Plane, Point3};
 
 /// The bound of a predicate's value, and of every partial result on the way: less than
 /// 2^(slope·b + constant) on a grid of b bits.
@@ -142,6 +142,22 @@ impl Budget {
     /// Whether the point is within the budget.
     pub fn holds(&self, point: &Point3) -> bool {
         point.integers().iter().all(|c| c.unsigned_abs() <= 1 << self.bits)
+    }
+
+    /// Whether a line can be one through points within the budget.
+    pub(super) fn holds_line(&self, line: &Line) -> bool {
+        let bits = self.bits;
+        line.direction().iter().all(|d| d.unsigned_abs() <= 2 << bits)
+            && line.moment().iter().all(|m| m.unsigned_abs() <= 2 << (2 * bits))
+    }
+
+    /// Whether a plane can be one through points within the budget. (That normals and offsets are
+    /// within these bounds is shown in `meets`.)
+    pub(super) fn holds_plane(&self, plane: &Plane) -> bool {
+        // A plane holds 40 bits, whatever the budget.
+        let bits = self.bits.min(40);
+        plane.normal().iter().all(|n| n.unsigned_abs() <= 4 << (2 * bits))
+            && plane.offset().unsigned_abs() <= 4 << (3 * bits)
     }
 }
 

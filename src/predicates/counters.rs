@@ -1,7 +1,7 @@
 //! Which stage answered: counts for tuning, compiled in by the feature `counters` only.
 //!
-//! Without the feature [`record`] is empty and costs nothing. With it, each answer is one relaxed
-//! atomic addition, correct from any number of threads.
+//! Without the feature counting is an empty function and costs nothing. With it, each answer is one
+//! relaxed atomic addition, correct from any number of threads.
 
 #[cfg(feature = "counters")]
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};

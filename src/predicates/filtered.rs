@@ -16,7 +16,7 @@
 //! true or rounded; B >= 1. A coordinate is in error by at most δ = uB, or 0 where it is exact
 //! (Higham, Accuracy and Stability of Numerical Algorithms, 2002, chapters 2 and 3; the idea of
 //! semi-static bounds from Shewchuk 1997 and from Meyer and Pion, 2008). The bounds are derived
-//! in the comments of [`FilteredPlane::through`] and [`FilteredLine::through`].
+//! in the comments of `PlaneScale` and `LineScale`.
 //!
 //! Invariant: a returned sign is the sign of the exact determinant of the true coordinates.
 

@@ -31,6 +31,7 @@ use crate::num::Sign;
 /// and Pion 1999 for deciding small values by their remainders.
 #[inline]
 pub fn side_of_lines(x: &Line, y: &Line, budget: &Budget) -> Sign {
+    debug_assert!([x, y].iter().all(|l| budget.holds_line(l)), "a line exceeds its budget");
     if budget.exact_lines {
         record(Predicate::SideOfLines, Stage::Filter);
         return Sign::of(&float_side(x, y));

@@ -29,6 +29,8 @@ use crate::num::{Int, Int256, Sign, Wide};
 /// Source: Stolfi, Oriented projective geometry, 1991 (the meet as the dual of the join); it is
 /// the determinant of the four planes' coefficients up to sign.
 pub fn side_of_meets(x: [&Plane; 2], y: [&Plane; 2], budget: &Budget) -> Sign {
+    let all = [x[0], x[1], y[0], y[1]];
+    debug_assert!(all.iter().all(|p| budget.holds_plane(p)), "a plane exceeds its budget");
     if budget.filters()
         && let Some(sign) = side_of_meets_filter(x, y)
     {

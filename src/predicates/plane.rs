@@ -24,6 +24,7 @@ use crate::num::{Int192, Sign};
 #[inline]
 pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
     debug_assert!(budget.holds(v), "a point exceeds its budget");
+    debug_assert!(budget.holds_plane(plane), "a plane exceeds its budget");
     record(Predicate::SideOfPlane, Stage::Fixed);
     side_of_plane_exact(plane, v, budget)
 }
@@ -76,6 +77,8 @@ pub fn side_of_plane_big(plane: &BigPlane, v: &BigPoint3) -> Sign {
 /// as multiplying out shows.
 pub fn vertex_side_of_plane(vertex: [&Plane; 3], plane: &Plane, budget: &Budget) -> Option<Sign> {
     let [first, second, third] = vertex;
+    let all = [first, second, third, plane];
+    debug_assert!(all.iter().all(|p| budget.holds_plane(p)), "a plane exceeds its budget");
     if budget.filters()
         && let Some(spanned) = meets::normals_filter(vertex)
         && let Some(side) = side_of_meets_filter([first, second], [third, plane])

@@ -148,6 +148,61 @@ fn check_planes(p: &[Point3; 12], budget: &Budget) {
     assert_eq!(crossings, compare_crossings_big(q, r, g, h));
 }
 
+#[test]
+fn signs_follow_the_convention() {
+    let point = |x, y, z| Point3::new(x, y, z).unwrap();
+    let (o, x, y, z) = (point(0, 0, 0), point(1, 0, 0), point(0, 1, 0), point(0, 0, 1));
+    let budget = &Budget::for_bits(4);
+    assert_eq!(orient3d(&o, &x, &y, &z, budget), Sign::Positive);
+    let floor = Plane::through(&o, &x, &y).unwrap();
+    assert_eq!(side_of_plane(&floor, &z, budget), Sign::Positive);
+    assert_eq!(side_of_plane(&floor, &y, budget), Sign::Zero);
+    let [a, b, c] = &flat([o, x, y]);
+    assert_eq!(orient2d(a, b, c), Sign::Positive);
+
+    // A line upwards through a square whose vertices are counter-clockwise seen from above.
+    let line = Line::through(&point(0, 0, -3), &point(1, 0, 5)).unwrap();
+    let square = [point(-2, -2, 0), point(2, -2, 0), point(2, 2, 0), point(-2, 2, 0)];
+    for i in 0..4 {
+        let edge = Line::through(&square[i], &square[(i + 1) % 4]).unwrap();
+        assert_eq!(side_of_lines(&line, &edge, budget), Sign::Positive);
+    }
+
+    // The coordinate planes meet in the origin, which is below z = 1 and in front of x = -1.
+    let (side_x, side_y) =
+        (Plane::through(&o, &y, &z).unwrap(), Plane::through(&o, &z, &x).unwrap());
+    let above = Plane::through(&z, &point(1, 0, 1), &point(0, 1, 1)).unwrap();
+    let vertex = [&floor, &side_x, &side_y];
+    assert_eq!(vertex_side_of_plane(vertex, &above, budget), Some(Sign::Negative));
+    assert_eq!(vertex_side_of_plane([&floor, &above, &side_x], &side_y, budget), None);
+    // Both axes leave the origin, so the lines meet.
+    assert_eq!(side_of_meets([&side_x, &side_y], [&floor, &side_y], budget), Sign::Zero);
+
+    assert_eq!(compare_along_line(&o, &z, &x, &z), Sign::Positive);
+    let upwards = compare_crossings(&point(3, 4, -2), &point(3, 4, 2), &floor, &above, budget);
+    assert_eq!(upwards, Some(Sign::Positive));
+    assert_eq!(compare_crossings(&o, &x, &floor, &above, budget), None);
+}
+
+/// Teller's coordinates (1992, equations 6.1 and 6.2), as `geom::Line` relates them to ours.
+#[test]
+fn plucker_coordinates_are_tellers_permuted() {
+    let teller = |p: [i64; 3], q: [i64; 3]| {
+        let [[px, py, pz], [qx, qy, qz]] = [p, q];
+        [px * qy - qx * py, px * qz - qx * pz, px - qx, py * qz - qy * pz, pz - qz, qy - py]
+    };
+    let points: [Point3; 4] = points(Family::Anywhere, 10, &mut Random(7));
+    let [p, q, r, s] = points.map(|p| p.integers());
+    let (a, b) = (teller(p, q), teller(r, s));
+    let [x, y] = [[0, 1], [2, 3]].map(|[i, j]| Line::through(&points[i], &points[j]).unwrap());
+    let ([dx, dy, dz], [mx, my, mz]) = (x.direction(), x.moment().map(|m| m as i64));
+    assert_eq!(a, [mz, -my, -dx, mx, -dz, dy]);
+    let product = a[0] * b[4] + a[1] * b[5] + a[2] * b[3] + a[4] * b[0] + a[5] * b[1] + a[3] * b[2];
+    let ours = dot(&x.direction().map(i128::from), &y.moment())
+        + dot(&x.moment(), &y.direction().map(i128::from));
+    assert_eq!(i128::from(product), -ours);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
