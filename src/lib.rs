@@ -5,7 +5,10 @@ pub mod cli;
 pub mod formats;
 pub mod geom;
 pub mod num;
+#[cfg(feature = "oracle")]
+pub mod oracle;
 pub mod predicates;
 pub mod pvs;
 pub mod report;
 pub mod scene;
+pub mod stab;

@@ -4,7 +4,9 @@ use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
 use crate::formats::json::SceneFile;
-use crate::report::PvsReport;
+use crate::formats::lines::LinesFile;
+use crate::formats::sequence::SequenceFile;
+use crate::report::{PvsReport, StabReport, TransversalsReport};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -23,8 +25,12 @@ type Format = (&'static str, fn() -> Value);
 /// Every format.
 const SCHEMAS: &[Format] = &[
     ("stabline-check/1", audit::check::schema),
+    ("stabline-lines/1", LinesFile::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneFile::schema),
+    ("stabline-sequence/1", SequenceFile::schema),
+    ("stabline-stab/1", StabReport::schema),
+    ("stabline-transversals/1", TransversalsReport::schema),
 ];
 
 /// Whether `name` is short for `full`: `pvs`, `pvs/1`, `stabline-pvs`, `stabline-pvs/1`.

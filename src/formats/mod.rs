@@ -6,5 +6,7 @@
 
 pub mod bsp;
 pub mod json;
+pub mod lines;
 pub mod npy;
 pub mod prt;
+pub mod sequence;

@@ -8,11 +8,13 @@
 mod decimal;
 mod number;
 mod sign;
+mod surd;
 mod wide;
 
 pub use decimal::{DecimalError, parse_decimal};
 pub use number::Number;
 pub use sign::Sign;
+pub use surd::{Surd, sign_of_surd, sign_of_two_surds};
 pub use wide::{Int192, Int256, Int320, Int512, Wide};
 
 /// An unbounded integer.

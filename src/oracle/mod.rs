@@ -1,0 +1,13 @@
+//! Brute-force twins of the fast algorithms, and the families of input to compare them on.
+//!
+//! A twin answers the same question by a different and slower argument, with unbounded integers
+//! and rationals only: no filter, no shared predicate, nothing of the engine. Where twin and
+//! engine differ, one of them is wrong. Feature `oracle`.
+
+mod families;
+mod linear;
+mod polynomial;
+mod sequence;
+
+pub use families::{Family, Random, sequence, sequence_2d};
+pub use sequence::{LinePoints, Truth, classify};

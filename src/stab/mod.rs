@@ -1,0 +1,29 @@
+//! Stabbing lines of portal sequences, and the lines that meet four lines.
+//!
+//! [`Stabber`] keeps the cone of a growing sequence of portals in space; its verdict is open (with
+//! a rational witness), grazing (with a touching line) or blocked, each of the last two with a
+//! certificate. [`transversals`] answers four given lines.
+
+mod certificate;
+mod cone;
+mod engine;
+mod extremal;
+mod grazing;
+mod line;
+mod mask;
+mod quadric;
+mod ring;
+mod sequence;
+mod stabber;
+#[cfg(test)]
+mod tests;
+pub mod transversals;
+mod wedge;
+mod witness;
+
+pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use extremal::{EdgeName, ExtremalLine};
+pub use line::StabLine;
+pub use sequence::{Portal3, PortalError};
+pub use stabber::{Stabber, Verdict, decide_open};
+pub use witness::Witness;

@@ -1,0 +1,204 @@
+//! Portals and portal sequences, validated.
+//!
+//! A portal is a planar convex polygon, its vertices counter-clockwise as seen from the side to
+//! which a line leaves through it. Vertices in the middle of a straight side are accepted: the two
+//! edges beside them have one and the same supporting line, so they bound the same half-space and
+//! change no verdict; certificates and lists of touched edges may name either. What is refused
+//! is what would make the sides' signs mean something else: fewer than three vertices, a vertex
+//! given twice, zero area, vertices off the plane, a reflex corner or a second turn.
+
+use crate::geom::BigPoint3;
+use crate::num::{Int, Sign};
+use num_integer::Integer;
+
+/// Why a polygon is not a portal.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PortalError {
+    /// A polygon needs three vertices.
+    #[error("has {count} vertices; a portal has at least three")]
+    TooFewVertices {
+        /// How many there are.
+        count: usize,
+    },
+    /// Two vertices are the same point.
+    #[error("vertex {second} is the same point as vertex {first}")]
+    RepeatedVertex {
+        /// The earlier vertex.
+        first: usize,
+        /// The later one.
+        second: usize,
+    },
+    /// The vertices lie on one line, or their area vector cancels.
+    #[error("has no area")]
+    NoArea,
+    /// A vertex lies off the plane of the others.
+    #[error("vertex {vertex} is not in the plane through vertex 0 along the polygon's area")]
+    NotPlanar {
+        /// The first such vertex.
+        vertex: usize,
+    },
+    /// A vertex lies outside an edge.
+    #[error("is not convex: vertex {vertex} lies outside edge {edge}")]
+    NotConvex {
+        /// The edge from this vertex to the next.
+        edge: usize,
+        /// The vertex on the wrong side of it.
+        vertex: usize,
+    },
+}
+
+/// A planar convex polygon that lines cross in the direction of its right-hand normal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Portal3 {
+    /// Invariant: three or more, distinct, coplanar, convex, counter-clockwise about `normal`.
+    vertices: Vec<BigPoint3>,
+    /// Invariant: primitive, not zero, `normal · v = offset` for every vertex.
+    normal: [Int; 3],
+    offset: Int,
+    /// Primitive edge directions: vertex `i + 1` minus vertex `i`, divided by `lengths[i]`.
+    directions: Vec<[Int; 3]>,
+    lengths: Vec<Int>,
+}
+
+impl Portal3 {
+    /// The portal with these vertices, in grid units.
+    ///
+    /// # Errors
+    /// [`PortalError`] names the first rule that the polygon breaks.
+    pub fn new(vertices: &[BigPoint3]) -> Result<Portal3, PortalError> {
+        let count = vertices.len();
+        if count < 3 {
+            return Err(PortalError::TooFewVertices { count });
+        }
+        for second in 0..count {
+            if let Some(first) = (0..second).find(|&first| vertices[first] == vertices[second]) {
+                return Err(PortalError::RepeatedVertex { first, second });
+            }
+        }
+        let edges: Vec<[Int; 3]> = (0..count)
+            .map(|i| sub(&vertices[(i + 1) % count].coordinates, &vertices[i].coordinates))
+            .collect();
+        let normal = area_vector(vertices);
+        if content(&normal) == Int::ZERO {
+            return Err(PortalError::NoArea);
+        }
+        let (normal, _) = primitive(normal);
+        let offset = dot3(&normal, &vertices[0].coordinates);
+        if let Some(vertex) = vertices.iter().position(|v| dot3(&normal, &v.coordinates) != offset)
+        {
+            return Err(PortalError::NotPlanar { vertex });
+        }
+        for (edge, direction) in edges.iter().enumerate() {
+            let inward = cross(&normal, direction);
+            for (vertex, v) in vertices.iter().enumerate() {
+                let height = dot3(&inward, &sub(&v.coordinates, &vertices[edge].coordinates));
+                match Sign::of(&height) {
+                    // On the edge's line: one of its ends, or a vertex in a straight side.
+                    Sign::Zero | Sign::Positive => {}
+                    Sign::Negative => return Err(PortalError::NotConvex { edge, vertex }),
+                }
+            }
+        }
+        let (directions, lengths) = edges.into_iter().map(primitive).unzip();
+        Ok(Portal3 { vertices: vertices.to_vec(), normal, offset, directions, lengths })
+    }
+
+    /// The vertices, in grid units, in the order given.
+    pub fn vertices(&self) -> &[BigPoint3] {
+        &self.vertices
+    }
+
+    /// The primitive normal: the side to which a line leaves.
+    pub fn normal(&self) -> &[Int; 3] {
+        &self.normal
+    }
+
+    /// `normal · v` for every vertex `v`.
+    pub fn offset(&self) -> &Int {
+        &self.offset
+    }
+
+    /// The same portal crossed the other way, its vertices in reverse order.
+    pub fn reversed(&self) -> Portal3 {
+        let vertices: Vec<_> = self.vertices.iter().rev().cloned().collect();
+        let negated = |v: &[Int; 3]| v.each_ref().map(|c| -c);
+        let count = vertices.len();
+        // Edge i of the reverse runs from old vertex n-1-i to n-2-i: old edge n-2-i, turned.
+        let old = |i: usize| (2 * count - 2 - i) % count;
+        Portal3 {
+            vertices,
+            normal: negated(&self.normal),
+            offset: -&self.offset,
+            directions: (0..count).map(|i| negated(&self.directions[old(i)])).collect(),
+            lengths: (0..count).map(|i| self.lengths[old(i)].clone()).collect(),
+        }
+    }
+
+    /// The row `a` with `a · x = side(x, edge) / length` for the edge's primitive direction, with
+    /// the origin moved to `origin`.
+    pub(super) fn edge_row(&self, edge: usize, origin: &[Int; 3]) -> [Int; 6] {
+        let direction = &self.directions[edge];
+        let [mx, my, mz] = cross(&sub(&self.vertices[edge].coordinates, origin), direction);
+        let [dx, dy, dz] = direction.clone();
+        [mx, my, mz, dx, dy, dz]
+    }
+
+    /// How many primitive directions the edge is long.
+    pub(super) fn edge_length(&self, edge: usize) -> &Int {
+        &self.lengths[edge]
+    }
+
+    /// The row that is positive on the lines that cross this portal's plane before the plane of
+    /// `next` (both in the direction of their normals), divided by its content; and the content.
+    /// `None` where the planes are the same: then every line crosses both in one point.
+    pub(super) fn order_row(&self, next: &Portal3, origin: &[Int; 3]) -> Option<([Int; 6], Int)> {
+        // With d the direction and m = p × d the moment of a line through p, it meets the plane
+        // n·x = c at p + t d, t = (c - n·p)/(n·d). So t2 - t1 has the sign of
+        //   (c2 - n2·p)(n1·d) - (c1 - n1·p)(n2·d) = (c2 n1 - c1 n2)·d + (n1 × n2)·m:
+        // the side product with the line (n1 × n2, c2 n1 - c1 n2), where the planes meet.
+        let (first, second) = (self.height_of(origin), next.height_of(origin));
+        let moment: [Int; 3] =
+            std::array::from_fn(|i| &second * &self.normal[i] - &first * &next.normal[i]);
+        let [mx, my, mz] = moment;
+        let [dx, dy, dz] = cross(&self.normal, &next.normal);
+        let row = [mx, my, mz, dx, dy, dz];
+        let divisor = row.iter().fold(Int::ZERO, |g, c| g.gcd(c));
+        (divisor != Int::ZERO).then(|| (row.map(|c| c / &divisor), divisor))
+    }
+
+    /// The plane's offset, seen from another origin.
+    pub(super) fn height_of(&self, origin: &[Int; 3]) -> Int {
+        &self.offset - dot3(&self.normal, origin)
+    }
+}
+
+pub(super) fn sub(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+pub(super) fn cross(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
+    [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
+}
+
+pub(super) fn dot3(a: &[Int; 3], b: &[Int; 3]) -> Int {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn content(vector: &[Int; 3]) -> Int {
+    vector.iter().fold(Int::ZERO, |g, c| g.gcd(c))
+}
+
+/// A vector that is not zero, divided by its content; and the content.
+fn primitive(vector: [Int; 3]) -> ([Int; 3], Int) {
+    let divisor = content(&vector);
+    (vector.map(|c| c / &divisor), divisor)
+}
+
+/// Twice the polygon's area, along its right-hand normal.
+fn area_vector(vertices: &[BigPoint3]) -> [Int; 3] {
+    let apex = &vertices[0].coordinates;
+    vertices[1..].windows(2).fold([Int::ZERO, Int::ZERO, Int::ZERO], |sum, pair| {
+        let part = cross(&sub(&pair[0].coordinates, apex), &sub(&pair[1].coordinates, apex));
+        std::array::from_fn(|i| &sum[i] + &part[i])
+    })
+}

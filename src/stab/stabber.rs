@@ -1,0 +1,202 @@
+//! Pushing and popping portals: the cone of a growing sequence, and its verdict.
+//!
+//! A search that walks a portal graph depth first pushes the portal that it crosses and pops it
+//! when it turns back. Each level keeps its own cone, so a pop costs nothing and a push only the
+//! half-spaces of one portal.
+//!
+//! **Rules** (proved in `docs/formats/stab.md`; the terms are those of `docs/semantics.md`).
+//! 1. No point of R^6 is strictly inside all half-spaces: not open.
+//! 2. The cone has lineality: the portals' planes share a line, possibly at infinity, along which
+//!    the Klein quadric can be reached from any point strictly inside: open.
+//! 3. Else open iff the quadric takes both strict signs on the cone's rays and edges; with order
+//!    half-spaces, or behind three of their rows.
+
+use super::certificate::{self, Certificate};
+use super::cone::Push;
+use super::engine::{Engine, Range};
+use super::extremal::{self, ExtremalLine};
+use super::grazing::touching_line;
+use super::line::StabLine;
+use super::quadric::{BothSigns, Vector, signs_behind_triples};
+use super::sequence::Portal3;
+use super::witness::{self, Interior, Witness};
+use crate::num::Int;
+
+/// What is true of a portal sequence (`docs/semantics.md`).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// A line is strictly inside every portal.
+    Open {
+        /// Such a line.
+        witness: Witness,
+    },
+    /// Not open, but a line meets every closed portal in its direction.
+    Grazing {
+        /// Such a line.
+        touching_line: StabLine,
+        /// Why no line is strictly inside.
+        certificate: Certificate,
+    },
+    /// Neither.
+    Blocked {
+        /// Why no line is strictly inside.
+        certificate: Certificate,
+    },
+}
+
+/// One pushed portal.
+#[derive(Clone, Debug)]
+struct Level {
+    portal: Portal3,
+    ordered: bool,
+    cone: Engine,
+    /// The range of all rows up to here.
+    range: Range,
+    /// Some point is strictly inside all half-spaces up to here.
+    strict: bool,
+}
+
+/// The stabbing lines of a growing portal sequence.
+#[derive(Clone, Debug, Default)]
+pub struct Stabber {
+    levels: Vec<Level>,
+    /// A vertex of the first portal: coordinates are small relative to it.
+    origin: [Int; 3],
+}
+
+impl Stabber {
+    /// The empty sequence, which every line stabs.
+    pub fn new() -> Stabber {
+        Stabber::default()
+    }
+
+    /// How many portals are pushed.
+    pub fn depth(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Appends a portal. With `order`, lines must also cross the portal before it first.
+    ///
+    /// Two portals in one plane are crossed in one point, so the order asks nothing of them.
+    pub fn push(&mut self, portal: &Portal3, order: bool) {
+        if self.levels.is_empty() {
+            self.origin = portal.vertices()[0].coordinates.clone();
+        }
+        let last = self.levels.last();
+        let before = last.filter(|_| order).map(|level| &level.portal);
+        let rows = rows_of(portal, before, &self.origin);
+        let range = last.map(|level| level.range).unwrap_or_default();
+        let range = range.with(rows.iter().map(|(row, _)| row));
+        let mut strict = last.is_none_or(|level| level.strict);
+        let mut cone = match last {
+            Some(level) if strict => level.cone.widened_for(range),
+            // Nothing is asked of the cone of a sequence that cannot be stabbed.
+            Some(_) => Engine::everything(),
+            None => Engine::everything().widened_for(range),
+        };
+        for (row, _) in &rows {
+            strict = strict && cone.push(row) == Push::Strict;
+        }
+        self.levels.push(Level { portal: portal.clone(), ordered: order, cone, range, strict });
+    }
+
+    /// Takes the last portal off. Does nothing to the empty sequence.
+    pub fn pop(&mut self) {
+        self.levels.pop();
+    }
+
+    /// Is there a line strictly inside every portal (and, where asked, in order)?
+    pub fn is_open(&self) -> bool {
+        match self.levels.last() {
+            None => true,
+            Some(level) if !level.strict => false,
+            Some(level) => level.cone.has_lineality() || self.signs(&level.cone).found(),
+        }
+    }
+
+    /// A line strictly inside every portal (and, where asked, crossing them in order), or `None`
+    /// where there is none.
+    pub fn witness(&self) -> Option<Witness> {
+        let Some(level) = self.levels.last() else { return Some(Witness::any()) };
+        if !level.strict {
+            return None;
+        }
+        let lineality = level.cone.lineality();
+        let signs =
+            if lineality.is_empty() { self.signs(&level.cone) } else { BothSigns::default() };
+        if lineality.is_empty() && !signs.found() {
+            return None;
+        }
+        let rays = level.cone.rays();
+        let interior = Interior { rays, lineality, signs, origin: self.origin.clone() };
+        Some(witness::find(interior, &self.portals(), &self.orders()))
+    }
+
+    /// What is true of the sequence, with a line or a certificate that shows it.
+    pub fn verdict(&self) -> Verdict {
+        if let Some(witness) = self.witness() {
+            return Verdict::Open { witness };
+        }
+        let (portals, orders) = (self.portals(), self.orders());
+        let certificate = certificate::of_not_open(&portals, &orders);
+        match touching_line(&portals, &orders) {
+            Some(touching_line) => Verdict::Grazing { touching_line, certificate },
+            None => Verdict::Blocked { certificate },
+        }
+    }
+
+    /// The extremal stabbing lines of the closed portals, in ascending order.
+    pub fn extremal_lines(&self) -> Vec<ExtremalLine> {
+        extremal::lines(&self.portals())
+    }
+
+    fn portals(&self) -> Vec<&Portal3> {
+        self.levels.iter().map(|level| &level.portal).collect()
+    }
+
+    fn orders(&self) -> Vec<bool> {
+        self.levels.iter().map(|level| level.ordered).collect()
+    }
+
+    fn signs(&self, cone: &Engine) -> BothSigns {
+        let mut signs = cone.signs();
+        if !signs.found() && self.levels.iter().skip(1).any(|level| level.ordered) {
+            signs_behind_triples(&mut signs, &cone.rays(), &self.rows());
+        }
+        signs
+    }
+
+    /// Every row of the sequence, and whether it is an order half-space.
+    fn rows(&self) -> Vec<(Vector, bool)> {
+        let mut before: Option<&Portal3> = None;
+        let mut rows = Vec::new();
+        for level in &self.levels {
+            let previous = before.filter(|_| level.ordered);
+            rows.extend(rows_of(&level.portal, previous, &self.origin));
+            before = Some(&level.portal);
+        }
+        rows
+    }
+}
+
+/// The rows of a portal's edges, and of its order after `before`; with a flag for the latter.
+pub(super) fn rows_of(
+    portal: &Portal3,
+    before: Option<&Portal3>,
+    origin: &[Int; 3],
+) -> Vec<(Vector, bool)> {
+    let edges = (0..portal.vertices().len()).map(|edge| (portal.edge_row(edge, origin), false));
+    let order = before.and_then(|before| before.order_row(portal, origin));
+    edges.chain(order.map(|(row, _)| (row, true))).collect()
+}
+
+/// Decides a whole sequence: a witness where it is open, `None` where it is not.
+///
+/// `orders[i]` asks that portal `i` be crossed after portal `i - 1`; missing entries ask nothing.
+pub fn decide_open(portals: &[&Portal3], orders: &[bool]) -> Option<Witness> {
+    let mut stabber = Stabber::new();
+    for (index, portal) in portals.iter().enumerate() {
+        stabber.push(portal, orders.get(index).copied().unwrap_or(false));
+    }
+    stabber.witness()
+}
