@@ -2,6 +2,7 @@
 
 mod cone;
 mod engine;
+pub mod hourglass;
 mod mask;
 mod quadric;
 mod ring;
