@@ -4,9 +4,12 @@
 
 use num_traits::Signed;
 use stabline::geom::BigPoint3;
-use stabline::num::{Int, Rational};
+use stabline::num::{Int, Rational, Sign, Surd};
 use stabline::oracle::{Family, Truth, classify, sequence};
-use stabline::stab::{Portal3, Witness, decide_open};
+use stabline::stab::{
+    Certificate, Condition, EdgeName, Portal3, StabLine, Stabber, Term, Verdict, Witness,
+    decide_open,
+};
 
 fn count() -> u64 {
     std::env::var("STABLINE_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(150)
@@ -94,5 +97,111 @@ fn wide_coordinates_decide_as_narrow_ones_do() {
                 assert!(wide.is_none_or(|w| passes(&w, &scaled)), "{family:?} {seed} << {bits}");
             }
         }
+    }
+}
+
+/// Whether the line meets every closed portal, straight from the definition of grazing.
+fn touches(line: &StabLine, portals: &[Vec<BigPoint3>]) -> bool {
+    let [a, b] = &line.points;
+    let zero = || Surd::from(Int::from(0));
+    let minus = |p: &[Surd; 3], q: &[Surd; 3]| [0, 1, 2].map(|i| &p[i] - &q[i]);
+    let cross = |p: &[Surd; 3], q: &[Surd; 3]| {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &(&p[i] * &q[j]) - &(&p[j] * &q[i]))
+    };
+    let dot = |p: &[Surd; 3], q: &[Surd; 3]| (0..3).fold(zero(), |s, i| &s + &(&p[i] * &q[i]));
+    let surds = |p: &BigPoint3| p.coordinates.clone().map(Surd::from);
+    let d = minus(b, a);
+    assert!(d.iter().any(|c| c.sign() != Sign::Zero), "two distinct points");
+    portals.iter().all(|portal| {
+        let vertices: Vec<[Surd; 3]> = portal.iter().map(surds).collect();
+        let arm = |i: usize| minus(&vertices[i], &vertices[0]);
+        let normals = (1..vertices.len() - 1).map(|i| cross(&arm(i), &arm(i + 1)));
+        let normal =
+            normals.fold([zero(), zero(), zero()], |s, n| [0, 1, 2].map(|i| &s[i] + &n[i]));
+        let sides: Vec<Sign> = (0..vertices.len())
+            .map(|i| {
+                let (p, q) = (&vertices[i], &vertices[(i + 1) % vertices.len()]);
+                dot(&d, &cross(&minus(p, a), &minus(q, a))).sign()
+            })
+            .collect();
+        match dot(&d, &normal).sign() {
+            Sign::Positive => !sides.contains(&Sign::Negative),
+            Sign::Negative => false,
+            Sign::Zero => {
+                let across = cross(&normal, &d);
+                let heights: Vec<Sign> =
+                    vertices.iter().map(|v| dot(&across, &minus(v, a)).sign()).collect();
+                sides.iter().all(|&s| s == Sign::Zero)
+                    && !heights.iter().all(|&s| s == Sign::Positive)
+                    && !heights.iter().all(|&s| s == Sign::Negative)
+            }
+        }
+    })
+}
+
+/// Whether the weighted edges sum to zero, with positive weights without a common factor.
+fn sums_to_zero(terms: &[Term], portals: &[Vec<BigPoint3>]) -> bool {
+    let mut sum: [Int; 6] = std::array::from_fn(|_| Int::from(0));
+    for term in terms {
+        let Condition::Edge(EdgeName { portal, edge }) = term.condition else { return false };
+        let portal = &portals[portal];
+        let p = &portal[edge].coordinates;
+        let q = &portal[(edge + 1) % portal.len()].coordinates;
+        let moment = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &p[i] * &q[j] - &p[j] * &q[i]);
+        for i in 0..3 {
+            sum[i] += &term.weight * (&q[i] - &p[i]);
+            sum[i + 3] += &term.weight * &moment[i];
+        }
+    }
+    !terms.is_empty()
+        && terms.len() <= 7
+        && terms.iter().all(|term| term.weight.is_positive())
+        && sum.iter().all(|c| *c == Int::from(0))
+}
+
+#[test]
+fn verdicts_are_those_of_the_twin() {
+    for family in Family::ALL {
+        let mut counts = [0; 3];
+        for seed in 0..count() {
+            let points = sequence(family, seed);
+            let name = format!("{family:?} {seed}");
+            let mut stabber = Stabber::new();
+            validated(&points).iter().for_each(|portal| stabber.push(portal, false));
+            let (verdict, truth) = (stabber.verdict(), classify(&points));
+            let certificate = match (&verdict, &truth) {
+                (Verdict::Open { witness }, Truth::Open(_)) => {
+                    counts[0] += 1;
+                    assert!(passes(witness, &points), "{name}");
+                    continue;
+                }
+                (Verdict::Grazing { touching_line, certificate }, Truth::Grazing(_)) => {
+                    counts[1] += 1;
+                    assert!(touches(touching_line, &points), "{name}");
+                    certificate
+                }
+                (Verdict::Blocked { certificate }, Truth::Blocked) => {
+                    counts[2] += 1;
+                    certificate
+                }
+                _ => panic!("{name}: {verdict:?}, but the twin says {truth:?}"),
+            };
+            match certificate {
+                Certificate::Gordan(terms) => assert!(sums_to_zero(terms, &points), "{name}"),
+                Certificate::Cone(cone) => {
+                    let signs = || {
+                        let edges = cone.edges.iter().map(|(_, sign)| sign);
+                        cone.rays.iter().map(|(_, sign)| sign).chain(edges)
+                    };
+                    let both = [Sign::Positive, Sign::Negative].map(|s| signs().any(|&t| t == s));
+                    assert_ne!(both, [true, true], "{name}: the quadric takes both signs");
+                }
+            }
+            for extremal in stabber.extremal_lines() {
+                assert!(touches(&extremal.line, &points), "{name}: {extremal:?}");
+                assert!(extremal.edges.len() >= 4, "{name}: {extremal:?}");
+            }
+        }
+        println!("{family:?}: {counts:?} open, grazing, blocked");
     }
 }

@@ -12,6 +12,7 @@ mod files;
 mod interrupt;
 mod progress;
 mod schema;
+mod stab;
 mod transversals;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -37,6 +38,7 @@ enum Command {
     Check(check::Args),
     Export(export::Args),
     Schema(schema::Args),
+    Stab(stab::Args),
     Transversals(transversals::Args),
 }
 
@@ -46,6 +48,7 @@ impl Command {
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
             Command::Schema(args) => schema::run(args),
+            Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
         }
     }

@@ -5,7 +5,8 @@ use super::files;
 use crate::audit;
 use crate::formats::json::SceneFile;
 use crate::formats::lines::LinesFile;
-use crate::report::{PvsReport, TransversalsReport};
+use crate::formats::sequence::SequenceFile;
+use crate::report::{PvsReport, StabReport, TransversalsReport};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -27,6 +28,8 @@ const SCHEMAS: &[Format] = &[
     ("stabline-lines/1", LinesFile::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneFile::schema),
+    ("stabline-sequence/1", SequenceFile::schema),
+    ("stabline-stab/1", StabReport::schema),
     ("stabline-transversals/1", TransversalsReport::schema),
 ];
 

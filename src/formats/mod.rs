@@ -9,3 +9,4 @@ pub mod json;
 pub mod lines;
 pub mod npy;
 pub mod prt;
+pub mod sequence;

@@ -124,7 +124,10 @@ impl Arena {
                 *sum += c / ids.len() as f64;
             }
         }
-        let radius = ids.iter().map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into())).fold(0.0, f64::max);
+        let radius = ids
+            .iter()
+            .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
+            .fold(0.0, f64::max);
         let edges: Vec<FilteredLine> = (0..ids.len())
             .map(|i| {
                 let [a, b] = [i, (i + 1) % ids.len()].map(|i| &self.points[ids[i] as usize]);
@@ -134,7 +137,14 @@ impl Arena {
         let plane = self.supporting_plane(ids);
         self.edges.extend(edges);
         self.planes.push(plane);
-        self.spans.push(Span { first: first as u32, end: self.ids.len() as u32, from, to, center, radius });
+        self.spans.push(Span {
+            first: first as u32,
+            end: self.ids.len() as u32,
+            from,
+            to,
+            center,
+            radius,
+        });
     }
 
     /// The plane through three vertices of a convex polygon that are not collinear: the widest of
@@ -276,7 +286,10 @@ impl Arena {
 }
 impl Arena {
     pub fn grid_point(&self, v: u32) -> [crate::num::Int; 3] {
-        match &self.grid { Grid::Small(p) => p[v as usize].map(Into::into), Grid::Big(p) => p[v as usize].clone() }
+        match &self.grid {
+            Grid::Small(p) => p[v as usize].map(Into::into),
+            Grid::Big(p) => p[v as usize].clone(),
+        }
     }
 }
 
@@ -297,33 +310,60 @@ fn approximate(point: &BigPoint3, denominator: &Int) -> Approx3 {
 }
 
 /// temp
-pub enum Grid { /// small
- Small(Vec<[i64; 3]>), /// big
- Big(Vec<[Int; 3]>) }
+pub enum Grid {
+    /// small
+    Small(Vec<[i64; 3]>),
+    /// big
+    Big(Vec<[Int; 3]>),
+}
 impl Grid {
     /// temp
     pub fn new(v: &[BigPoint3]) -> Grid {
-        let small: Option<Vec<[i64; 3]>> = v.iter().map(|p| {
-            let c: Vec<i64> = p.coordinates.iter().filter_map(|c| c.to_i64().filter(|c| c.abs() < 1 << 38)).collect();
-            <[i64; 3]>::try_from(c).ok()
-        }).collect();
-        match small { Some(s) => Grid::Small(s), None => Grid::Big(v.iter().map(|p| p.coordinates.clone()).collect()) }
+        let small: Option<Vec<[i64; 3]>> = v
+            .iter()
+            .map(|p| {
+                let c: Vec<i64> = p
+                    .coordinates
+                    .iter()
+                    .filter_map(|c| c.to_i64().filter(|c| c.abs() < 1 << 38))
+                    .collect();
+                <[i64; 3]>::try_from(c).ok()
+            })
+            .collect();
+        match small {
+            Some(s) => Grid::Small(s),
+            None => Grid::Big(v.iter().map(|p| p.coordinates.clone()).collect()),
+        }
     }
     fn orient(&self, a: u32, b: u32, c: u32, d: u32) -> Sign {
-    match self {
-        Grid::Small(p) => {
-            let a = p[a as usize];
-            let f = |v: u32| { let v = p[v as usize]; [0, 1, 2].map(|i| (v[i] - a[i]) as i128) };
-            let (x, y, z) = (f(b), f(c), f(d));
-            Sign::of(&((x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2]))
+        match self {
+            Grid::Small(p) => {
+                let a = p[a as usize];
+                let f = |v: u32| {
+                    let v = p[v as usize];
+                    [0, 1, 2].map(|i| (v[i] - a[i]) as i128)
+                };
+                let (x, y, z) = (f(b), f(c), f(d));
+                Sign::of(
+                    &((x[1] * y[2] - x[2] * y[1]) * z[0]
+                        + (x[2] * y[0] - x[0] * y[2]) * z[1]
+                        + (x[0] * y[1] - x[1] * y[0]) * z[2]),
+                )
+            }
+            Grid::Big(p) => {
+                let a = &p[a as usize];
+                let f = |v: u32| {
+                    let v = &p[v as usize];
+                    [0, 1, 2].map(|i| &v[i] - &a[i])
+                };
+                let (x, y, z) = (f(b), f(c), f(d));
+                Sign::of(
+                    &((&x[1] * &y[2] - &x[2] * &y[1]) * &z[0]
+                        + (&x[2] * &y[0] - &x[0] * &y[2]) * &z[1]
+                        + (&x[0] * &y[1] - &x[1] * &y[0]) * &z[2]),
+                )
+            }
         }
-        Grid::Big(p) => {
-            let a = &p[a as usize];
-            let f = |v: u32| { let v = &p[v as usize]; [0, 1, 2].map(|i| &v[i] - &a[i]) };
-            let (x, y, z) = (f(b), f(c), f(d));
-            Sign::of(&((&x[1] * &y[2] - &x[2] * &y[1]) * &z[0] + (&x[2] * &y[0] - &x[0] * &y[2]) * &z[1] + (&x[0] * &y[1] - &x[1] * &y[0]) * &z[2]))
-        }
-    }
     }
 }
 
@@ -333,10 +373,36 @@ impl Arena {
     pub fn excluded(&self, edges: &[[u32; 2]]) -> bool {
         match &self.grid {
             Grid::Small(points) => {
-                let lines: Vec<[[f64; 3]; 2]> = edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
-                crate::predicates::gordan::exclude_each_other(&lines, || edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect())
+                let lines: Vec<[[f64; 3]; 2]> =
+                    edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
+                crate::predicates::gordan::exclude_each_other(&lines, || {
+                    edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect()
+                })
             }
-            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(&edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>()),
+            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(
+                &edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>(),
+            ),
         }
+    }
+}
+
+impl Arena {
+    pub fn exact_portals(&self, path: &[Directed]) -> Vec<crate::stab::Portal3> {
+        let polys: Vec<Vec<[Int; 3]>> = path
+            .iter()
+            .map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect())
+            .collect();
+        let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
+        polys
+            .into_iter()
+            .map(|p| {
+                crate::stab::Portal3::new(
+                    &p.into_iter()
+                        .map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) })
+                        .collect::<Vec<_>>(),
+                )
+                .unwrap()
+            })
+            .collect()
     }
 }

@@ -135,7 +135,13 @@ impl Flood {
         Flood { reached: arena.no_portals(), entered: arena.no_cells(), stack: Vec::new() }
     }
 
-    pub fn run_hinted(&mut self, arena: &Arena, first: Directed, candidates: &Bits, behind: impl Fn(Directed) -> bool) {
+    pub fn run_hinted(
+        &mut self,
+        arena: &Arena,
+        first: Directed,
+        candidates: &Bits,
+        behind: impl Fn(Directed) -> bool,
+    ) {
         self.reached.clear();
         self.entered.clear();
         self.entered.insert(arena.to(first));

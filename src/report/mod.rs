@@ -3,9 +3,11 @@
 mod matrix;
 mod progress;
 mod pvs;
+mod stab;
 mod transversals;
 
 pub use matrix::{Counts, Matrix, Verdict};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};
+pub use stab::StabReport;
 pub use transversals::{TransversalsReport, transversals_text};

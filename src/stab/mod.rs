@@ -1,8 +1,16 @@
-//! Which lines pass a sequence of portals: the exact verdict, with a witness.
+//! Stabbing lines of portal sequences, and the lines that meet four lines.
+//!
+//! [`Stabber`] keeps the cone of a growing sequence of portals in space; its verdict is open (with
+//! a rational witness), grazing (with a touching line) or blocked, each of the last two with a
+//! certificate. [`transversals`] answers four given lines.
 
+mod certificate;
 mod cone;
 mod engine;
+mod extremal;
+mod grazing;
 pub mod hourglass;
+mod line;
 mod mask;
 mod quadric;
 mod ring;
@@ -14,6 +22,9 @@ pub mod transversals;
 mod wedge;
 mod witness;
 
+pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use extremal::{EdgeName, ExtremalLine};
+pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
-pub use stabber::{Stabber, decide_open};
+pub use stabber::{Stabber, Verdict, decide_open};
 pub use witness::Witness;

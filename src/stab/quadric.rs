@@ -83,6 +83,13 @@ pub(super) fn signs_on_edges<R: Ring>(cone: &Cone<R>) -> BothSigns {
     signs
 }
 
+/// A point between two rays where Q has the wanted sign, if there is one and neither ray has it.
+pub(super) fn extremum_of_sign([r, s]: [&Vector; 2], wanted: Sign) -> Option<Vector> {
+    let rs = side(r, s);
+    let found = Sign::of(&rs) == wanted && &rs * &rs > side(r, r) * side(s, s);
+    found.then(|| extremum(&[r.clone(), s.clone()]))
+}
+
 /// The point between r and s where Q is extremal, or beyond it where r and s are lines: there Q
 /// has the sign of G_rs. Requires: G_rs² > G_rr G_ss, and no square of the sign of G_rs.
 fn extremum([r, s]: &[Vector; 2]) -> Vector {

@@ -149,23 +149,26 @@ impl Portal3 {
     }
 
     /// The row that is positive on the lines that cross this portal's plane before the plane of
-    /// `next` (both in the direction of their normals), or `None` where the planes are the same:
-    /// then every line crosses both in one point.
-    pub(super) fn order_row(&self, next: &Portal3, origin: &[Int; 3]) -> Option<[Int; 6]> {
+    /// `next` (both in the direction of their normals), divided by its content; and the content.
+    /// `None` where the planes are the same: then every line crosses both in one point.
+    pub(super) fn order_row(&self, next: &Portal3, origin: &[Int; 3]) -> Option<([Int; 6], Int)> {
         // With d the direction and m = p × d the moment of a line through p, it meets the plane
         // n·x = c at p + t d, t = (c - n·p)/(n·d). So t2 - t1 has the sign of
         //   (c2 - n2·p)(n1·d) - (c1 - n1·p)(n2·d) = (c2 n1 - c1 n2)·d + (n1 × n2)·m:
         // the side product with the line (n1 × n2, c2 n1 - c1 n2), where the planes meet.
-        let first = &self.offset - dot3(&self.normal, origin);
-        let second = &next.offset - dot3(&next.normal, origin);
+        let (first, second) = (self.height_of(origin), next.height_of(origin));
         let moment: [Int; 3] =
             std::array::from_fn(|i| &second * &self.normal[i] - &first * &next.normal[i]);
-        let direction = cross(&self.normal, &next.normal);
         let [mx, my, mz] = moment;
-        let [dx, dy, dz] = direction;
+        let [dx, dy, dz] = cross(&self.normal, &next.normal);
         let row = [mx, my, mz, dx, dy, dz];
         let divisor = row.iter().fold(Int::ZERO, |g, c| g.gcd(c));
-        (divisor != Int::ZERO).then(|| row.map(|c| c / &divisor))
+        (divisor != Int::ZERO).then(|| (row.map(|c| c / &divisor), divisor))
+    }
+
+    /// The plane's offset, seen from another origin.
+    pub(super) fn height_of(&self, origin: &[Int; 3]) -> Int {
+        &self.offset - dot3(&self.normal, origin)
     }
 }
 

@@ -11,12 +11,38 @@
 //! 3. Else open iff the quadric takes both strict signs on the cone's rays and edges; with order
 //!    half-spaces, or behind three of their rows.
 
+use super::certificate::{self, Certificate};
 use super::cone::Push;
 use super::engine::{Engine, Range};
+use super::extremal::{self, ExtremalLine};
+use super::grazing::touching_line;
+use super::line::StabLine;
 use super::quadric::{BothSigns, Vector, signs_behind_triples};
 use super::sequence::Portal3;
 use super::witness::{self, Interior, Witness};
 use crate::num::Int;
+
+/// What is true of a portal sequence (`docs/semantics.md`).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// A line is strictly inside every portal.
+    Open {
+        /// Such a line.
+        witness: Witness,
+    },
+    /// Not open, but a line meets every closed portal in its direction.
+    Grazing {
+        /// Such a line.
+        touching_line: StabLine,
+        /// Why no line is strictly inside.
+        certificate: Certificate,
+    },
+    /// Neither.
+    Blocked {
+        /// Why no line is strictly inside.
+        certificate: Certificate,
+    },
+}
 
 /// One pushed portal.
 #[derive(Clone, Debug)]
@@ -88,9 +114,10 @@ impl Stabber {
         }
     }
 
-    /// A line strictly inside every portal, or `None` where there is none.
+    /// A line strictly inside every portal (and, where asked, crossing them in order), or `None`
+    /// where there is none.
     pub fn witness(&self) -> Option<Witness> {
-        let level = self.levels.last()?;
+        let Some(level) = self.levels.last() else { return Some(Witness::any()) };
         if !level.strict {
             return None;
         }
@@ -102,9 +129,33 @@ impl Stabber {
         }
         let rays = level.cone.rays();
         let interior = Interior { rays, lineality, signs, origin: self.origin.clone() };
-        let portals: Vec<&Portal3> = self.levels.iter().map(|level| &level.portal).collect();
-        let orders: Vec<bool> = self.levels.iter().map(|level| level.ordered).collect();
-        Some(witness::find(interior, &portals, &orders))
+        Some(witness::find(interior, &self.portals(), &self.orders()))
+    }
+
+    /// What is true of the sequence, with a line or a certificate that shows it.
+    pub fn verdict(&self) -> Verdict {
+        if let Some(witness) = self.witness() {
+            return Verdict::Open { witness };
+        }
+        let (portals, orders) = (self.portals(), self.orders());
+        let certificate = certificate::of_not_open(&portals, &orders);
+        match touching_line(&portals, &orders) {
+            Some(touching_line) => Verdict::Grazing { touching_line, certificate },
+            None => Verdict::Blocked { certificate },
+        }
+    }
+
+    /// The extremal stabbing lines of the closed portals, in ascending order.
+    pub fn extremal_lines(&self) -> Vec<ExtremalLine> {
+        extremal::lines(&self.portals())
+    }
+
+    fn portals(&self) -> Vec<&Portal3> {
+        self.levels.iter().map(|level| &level.portal).collect()
+    }
+
+    fn orders(&self) -> Vec<bool> {
+        self.levels.iter().map(|level| level.ordered).collect()
     }
 
     fn signs(&self, cone: &Engine) -> BothSigns {
@@ -136,7 +187,7 @@ pub(super) fn rows_of(
 ) -> Vec<(Vector, bool)> {
     let edges = (0..portal.vertices().len()).map(|edge| (portal.edge_row(edge, origin), false));
     let order = before.and_then(|before| before.order_row(portal, origin));
-    edges.chain(order.map(|row| (row, true))).collect()
+    edges.chain(order.map(|(row, _)| (row, true))).collect()
 }
 
 /// Decides a whole sequence: a witness where it is open, `None` where it is not.

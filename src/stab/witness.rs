@@ -12,7 +12,7 @@
 //! the sequence only; the reversed sequence gives the same line reversed, because everything is
 //! computed for the one of the two directions that comes first lexicographically.
 
-use super::quadric::{BothSigns, Vector, quadric, side};
+use super::quadric::{BothSigns, Vector, extremum_of_sign, quadric, side};
 use super::sequence::{Portal3, cross, dot3, sub};
 use super::stabber::rows_of;
 use crate::num::{Int, Rational, Sign};
@@ -23,6 +23,14 @@ use num_integer::Integer;
 pub struct Witness {
     /// Two points of the line, in its direction.
     pub points: [[Rational; 3]; 2],
+}
+
+impl Witness {
+    /// The x axis: a line for the sequence that asks nothing.
+    pub(super) fn any() -> Witness {
+        let at = |x: i32| [x, 0, 0].map(|c| Rational::from(Int::from(c)));
+        Witness { points: [at(0), at(1)] }
+    }
 }
 
 /// What the cone knows about its interior.
@@ -119,10 +127,12 @@ impl Problem {
         let others = rays.iter().filter(|ray| Sign::of(&quadric(ray)) == -here);
         let sum = others.clone().fold(zero(), |sum, ray| plus(&sum, &levelled(ray)));
         beyond.sort();
-        let mut candidates = vec![sum];
-        candidates.extend(others.cloned());
-        candidates.extend(beyond);
-        let outside = candidates.into_iter().find(|x| Sign::of(&quadric(x)) == -here);
+        // Where no ray lies beyond the quadric, the first pair of rays between which it is crossed.
+        let pairs =
+            rays.iter().enumerate().flat_map(|(i, r)| rays[..i].iter().map(move |s| [r, s]));
+        let pairs = pairs.filter_map(|pair| extremum_of_sign(pair, -here));
+        let mut candidates = std::iter::once(sum).chain(others.cloned()).chain(pairs).chain(beyond);
+        let outside = candidates.find(|x| Sign::of(&quadric(x)) == -here);
         let outside = outside.expect("the quadric takes both signs on an open sequence's cone");
         self.crossing(&inside, &outside, here)
     }
@@ -290,11 +300,11 @@ fn rounded((numerators, divisor): &([Int; 3], Int), exponent: i64) -> [Int; 3] {
     })
 }
 
-fn zero() -> Vector {
+pub(super) fn zero() -> Vector {
     std::array::from_fn(|_| Int::ZERO)
 }
 
-fn plus(x: &Vector, y: &Vector) -> Vector {
+pub(super) fn plus(x: &Vector, y: &Vector) -> Vector {
     std::array::from_fn(|i| &x[i] + &y[i])
 }
 
@@ -310,7 +320,7 @@ pub(super) fn primitive(x: Vector) -> Vector {
 
 /// The vector seen from an origin that lies at `-shift`: p becomes p + shift, m becomes
 /// m + shift × d.
-fn moved(x: &Vector, shift: &[Int; 3]) -> Vector {
+pub(super) fn moved(x: &Vector, shift: &[Int; 3]) -> Vector {
     let d: [Int; 3] = std::array::from_fn(|i| x[i].clone());
     let turn = cross(shift, &d);
     std::array::from_fn(|i| if i < 3 { x[i].clone() } else { &x[i] + &turn[i - 3] })

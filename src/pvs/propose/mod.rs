@@ -2,9 +2,9 @@
 //! Nothing here decides: each proposal goes through an exact check (`pvs::confirm`).
 
 mod frame;
-mod norm;
 mod line;
+mod norm;
 
 pub(crate) use frame::{Bivector, Frame, half};
-pub(crate) use line::{propose_line};
+pub(crate) use line::propose_line;
 pub(crate) use norm::{Half, NormPoint, Outcome, dot};

@@ -1,0 +1,316 @@
+//! The verdict of a portal sequence, as canonical text and as `stabline-stab/1`.
+//!
+//! All coordinates are those of the input file: grid units divided by the denominator.
+
+use crate::num::{Int, Rational, Sign, Surd};
+use crate::stab::{Certificate, Condition, ExtremalLine, StabLine, Verdict, Witness};
+use num_traits::ToPrimitive;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What is true of a portal sequence.
+#[derive(Serialize, JsonSchema)]
+#[schemars(title = "stabline-stab/1")]
+pub struct StabReport {
+    /// The name of the format.
+    #[schemars(regex(pattern = "^stabline-stab/1$"))]
+    format: &'static str,
+    verdict: VerdictName,
+    /// Two points of a line strictly inside every portal, in its direction, where there is one.
+    witness: Option<[Vec<Ratio>; 2]>,
+    /// Two points of a line that meets every closed portal, for a grazing sequence.
+    touching_line: Option<[Vec<Number>; 2]>,
+    /// Why the sequence is not open.
+    certificate: Option<CertificateReport>,
+    /// How many extremal stabbing lines there are.
+    extremal_lines: usize,
+    /// The extremal stabbing lines, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lines: Option<Vec<LineReport>>,
+}
+
+/// One of the three verdicts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum VerdictName {
+    Open,
+    Grazing,
+    Blocked,
+}
+
+/// A rational number `p` or `p/q` in lowest terms with q > 1.
+#[derive(Serialize, JsonSchema)]
+#[serde(transparent)]
+struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] String);
+
+/// The number a + b√d; b and d are zero for a rational number.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Surd")]
+struct Number {
+    a: Ratio,
+    b: Ratio,
+    #[schemars(regex(pattern = "^[0-9]+$"))]
+    d: String,
+}
+
+/// An integer: as a string where it does not fit in 53 bits.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+enum Integer {
+    Small(i64),
+    Large(#[schemars(regex(pattern = "^-?[0-9]+$"))] String),
+}
+
+/// Why a sequence is not open.
+#[derive(Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum CertificateReport {
+    /// The weighted sum of the conditions' vectors is zero.
+    Gordan { terms: Vec<TermReport> },
+    /// The signs of the Klein quadric on the cone's rays and edges.
+    Cone { rays: Vec<RayReport>, edges: Vec<FaceReport> },
+}
+
+/// A condition and its weight.
+#[derive(Serialize, JsonSchema)]
+struct TermReport {
+    portal: usize,
+    #[serde(flatten)]
+    what: ConditionReport,
+    weight: Integer,
+}
+
+/// What a line has to do at a portal.
+#[derive(Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum ConditionReport {
+    /// Pass this edge on its positive side: it runs from this vertex to the next.
+    Edge(usize),
+    /// Cross this portal after that one.
+    After(usize),
+}
+
+/// An extreme ray of the cone.
+#[derive(Serialize, JsonSchema)]
+struct RayReport {
+    direction: [Integer; 3],
+    moment: [Integer; 3],
+    sign: i8,
+}
+
+/// Two adjacent rays.
+#[derive(Serialize, JsonSchema)]
+struct FaceReport {
+    rays: [usize; 2],
+    sign: i8,
+}
+
+/// An extremal stabbing line.
+#[derive(Serialize, JsonSchema)]
+struct LineReport {
+    /// The edges whose supporting lines it meets.
+    edges: Vec<EdgeReport>,
+    /// Two of its points, in its direction.
+    points: [Vec<Number>; 2],
+}
+
+/// An edge: it runs from this vertex of the portal to the next.
+#[derive(Serialize, JsonSchema)]
+struct EdgeReport {
+    portal: usize,
+    edge: usize,
+}
+
+impl StabReport {
+    /// The report of a sequence in space on a grid of this denominator. `list` asks for the lines
+    /// themselves, not only for their number.
+    pub fn new(
+        verdict: &Verdict,
+        lines: &[ExtremalLine],
+        denominator: &Int,
+        list: bool,
+    ) -> StabReport {
+        let certificate = |c: &Certificate| Some(certificate_report(c, denominator));
+        let (name, witness, touching_line, certificate) = match verdict {
+            Verdict::Open { witness } => (VerdictName::Open, Some(witness), None, None),
+            Verdict::Grazing { touching_line, certificate: c } => {
+                (VerdictName::Grazing, None, Some(touching_line), certificate(c))
+            }
+            Verdict::Blocked { certificate: c } => {
+                (VerdictName::Blocked, None, None, certificate(c))
+            }
+        };
+        StabReport {
+            format: "stabline-stab/1",
+            verdict: name,
+            witness: witness.map(|w| world_ratios(w, denominator)),
+            touching_line: touching_line.map(|line| world_numbers(line, denominator)),
+            certificate,
+            extremal_lines: lines.len(),
+            lines: list.then(|| lines.iter().map(|line| line_report(line, denominator)).collect()),
+        }
+    }
+
+    /// The canonical JSON text.
+    ///
+    /// # Panics
+    /// Never: all keys are strings and all values finite.
+    pub fn to_json(&self) -> String {
+        let text = serde_json::to_string_pretty(self).expect("strings and small integers only");
+        format!("{text}\n")
+    }
+
+    /// The canonical text: one fact a line.
+    pub fn to_text(&self) -> String {
+        let mut text = String::new();
+        text.push_str(match self.verdict {
+            VerdictName::Open => "open\n",
+            VerdictName::Grazing => "grazing\n",
+            VerdictName::Blocked => "blocked\n",
+        });
+        if let Some([p, q]) = &self.witness {
+            text.push_str(&format!("witness {} -> {}\n", ratios_text(p), ratios_text(q)));
+        }
+        if let Some(points) = &self.touching_line {
+            text.push_str(&format!("touching line {}\n", points_text(points)));
+        }
+        if let Some(certificate) = &self.certificate {
+            text.push_str(&certificate_text(certificate));
+        }
+        text.push_str(&format!("extremal lines {}\n", self.extremal_lines));
+        for line in self.lines.iter().flatten() {
+            let edges = line.edges.iter().map(|e| format!("{}.{}", e.portal, e.edge));
+            let edges = edges.collect::<Vec<_>>().join(" ");
+            text.push_str(&format!("line {} touches {edges}\n", points_text(&line.points)));
+        }
+        text
+    }
+
+    /// The JSON schema of the format.
+    pub fn schema() -> serde_json::Value {
+        schemars::schema_for!(StabReport).to_value()
+    }
+}
+
+fn world_ratios(witness: &Witness, denominator: &Int) -> [Vec<Ratio>; 2] {
+    let ratio = |c: &Rational| Ratio((c / denominator).to_string());
+    witness.points.each_ref().map(|point| point.iter().map(ratio).collect())
+}
+
+fn world_numbers(line: &StabLine, denominator: &Int) -> [Vec<Number>; 2] {
+    let unit = Surd::from(denominator.clone());
+    line.points.each_ref().map(|point| point.iter().map(|c| number(&(c / &unit))).collect())
+}
+
+fn number(value: &Surd) -> Number {
+    Number {
+        a: Ratio(value.rational_part().to_string()),
+        b: Ratio(value.root_part().to_string()),
+        d: value.radicand().to_string(),
+    }
+}
+
+fn integer(value: &Int) -> Integer {
+    match value.to_i64() {
+        Some(small) if small.unsigned_abs() < 1 << 53 => Integer::Small(small),
+        _ => Integer::Large(value.to_string()),
+    }
+}
+
+fn line_report(line: &ExtremalLine, denominator: &Int) -> LineReport {
+    let edges = line.edges.iter().map(|e| EdgeReport { portal: e.portal, edge: e.edge });
+    LineReport { edges: edges.collect(), points: world_numbers(&line.line, denominator) }
+}
+
+fn certificate_report(certificate: &Certificate, denominator: &Int) -> CertificateReport {
+    match certificate {
+        Certificate::Gordan(terms) => {
+            let terms = terms.iter().map(|term| match term.condition {
+                Condition::Edge(name) => {
+                    (name.portal, ConditionReport::Edge(name.edge), &term.weight)
+                }
+                Condition::Order { portal } => {
+                    (portal, ConditionReport::After(portal - 1), &term.weight)
+                }
+            });
+            let report =
+                |(portal, what, weight)| TermReport { portal, what, weight: integer(weight) };
+            CertificateReport::Gordan { terms: terms.map(report).collect() }
+        }
+        Certificate::Cone(signs) => {
+            // In the file's units a direction shrinks by the denominator and a moment by its
+            // square: the vector is proportional to (denominator · direction, moment).
+            let ray = |(vector, sign): &(_, Sign)| {
+                let [dx, dy, dz, mx, my, mz]: &[Int; 6] = vector;
+                RayReport {
+                    direction: [dx, dy, dz].map(|c| integer(&(c * denominator))),
+                    moment: [mx, my, mz].map(integer),
+                    sign: sign_number(*sign),
+                }
+            };
+            let edge = |(rays, sign): &([usize; 2], Sign)| FaceReport {
+                rays: *rays,
+                sign: sign_number(*sign),
+            };
+            CertificateReport::Cone {
+                rays: signs.rays.iter().map(ray).collect(),
+                edges: signs.edges.iter().map(edge).collect(),
+            }
+        }
+    }
+}
+
+fn sign_number(sign: Sign) -> i8 {
+    match sign {
+        Sign::Negative => -1,
+        Sign::Zero => 0,
+        Sign::Positive => 1,
+    }
+}
+
+fn ratios_text(point: &[Ratio]) -> String {
+    let coordinates: Vec<&str> = point.iter().map(|c| c.0.as_str()).collect();
+    format!("({})", coordinates.join(", "))
+}
+
+fn points_text([p, q]: &[Vec<Number>; 2]) -> String {
+    let coordinate = |c: &Number| match (c.a.0.as_str(), c.b.0.as_str()) {
+        (a, "0") => a.to_owned(),
+        ("0", b) => format!("{b}√{}", c.d),
+        (a, b) if b.starts_with('-') => format!("{a} - {}√{}", &b[1..], c.d),
+        (a, b) => format!("{a} + {b}√{}", c.d),
+    };
+    let point = |p: &[Number]| p.iter().map(coordinate).collect::<Vec<_>>().join(", ");
+    format!("({}) -> ({})", point(p), point(q))
+}
+
+fn certificate_text(certificate: &CertificateReport) -> String {
+    let integer_text = |value: &Integer| match value {
+        Integer::Small(value) => value.to_string(),
+        Integer::Large(value) => value.clone(),
+    };
+    match certificate {
+        CertificateReport::Gordan { terms } => {
+            let term = |term: &TermReport| {
+                let what = match term.what {
+                    ConditionReport::Edge(edge) => format!("edge {}.{edge}", term.portal),
+                    ConditionReport::After(before) => {
+                        format!("portal {} after {before}", term.portal)
+                    }
+                };
+                format!("gordan {} x {what}\n", integer_text(&term.weight))
+            };
+            terms.iter().map(term).collect()
+        }
+        CertificateReport::Cone { rays, edges } => {
+            let count = |list: &mut dyn Iterator<Item = i8>| {
+                let mut counts = [0; 3];
+                list.for_each(|sign| counts[(sign + 1) as usize] += 1);
+                format!("{} negative, {} zero, {} positive", counts[0], counts[1], counts[2])
+            };
+            let on_rays = count(&mut rays.iter().map(|ray| ray.sign));
+            let on_edges = count(&mut edges.iter().map(|edge| edge.sign));
+            format!("cone rays: {on_rays}\ncone edges: {on_edges}\n")
+        }
+    }
+}
