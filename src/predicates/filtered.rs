@@ -16,7 +16,7 @@
 //! true or rounded; B >= 1. A coordinate is in error by at most δ = uB, or 0 where it is exact
 //! (Higham, Accuracy and Stability of Numerical Algorithms, 2002, chapters 2 and 3; the idea of
 //! semi-static bounds from Shewchuk 1997 and from Meyer and Pion, 2008). The bounds are derived
-//! in the comments of [`FilteredPlane::through`] and [`FilteredLine::through`].
+//! in the comments of `PlaneScale` and `LineScale`.
 //!
 //! Invariant: a returned sign is the sign of the exact determinant of the true coordinates.
 
@@ -425,15 +425,9 @@ impl LineScale {
 /// The sign of a true value that `value` is within `error` of, if that says it.
 #[inline(always)]
 fn decide(value: f64, error: f64) -> Option<Sign> {
-    if value > error {
-        Some(Sign::Positive)
-    } else if value < -error {
-        Some(Sign::Negative)
-    } else if error == 0.0 {
-        Some(Sign::Zero)
-    } else {
-        None
-    }
+    // One branch, nearly always the same way: the sign itself is taken without one. An error of
+    // zero is that of exact points, whose value is never NaN.
+    if value.abs() > error || error == 0.0 { Some(Sign::of(&value)) } else { None }
 }
 
 #[inline(always)]

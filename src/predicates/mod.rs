@@ -5,7 +5,7 @@
 //! of a fixed width whose range is proved, `x_big` on unbounded integers; `x` itself is the
 //! cascade of the first two. Which predicate has which stages follows from measurements: on grid
 //! points two or three products of 64-bit integers cost what a float stage would, and exact
-//! zeros, a third of all tests in architecture, cost nothing extra. The table of degrees, ranges
+//! zeros, so common in architecture, cost nothing extra. The table of degrees, ranges
 //! and bounds is `docs/predicates.md`.
 //!
 //! The sign convention, stated once: `orient3d(a, b, c, d)` is the sign of det[b-a, c-a, d-a]
