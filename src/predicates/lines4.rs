@@ -13,6 +13,7 @@
 
 use super::budget::{Budget, Range, SIDE_OF_LINES, U};
 use super::counters::{Predicate, Stage, record};
+use super::lines::float_side;
 use super::ring::{Ring, dot};
 use crate::geom::{BigLine, Line};
 use crate::num::{Int, Int256, Int320, Int512, Sign, Wide};
@@ -60,15 +61,26 @@ const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 /// Contract: exact, degree 12, unperturbed
 ///
 /// Source: Teller 1992, section 6.3, for the degenerate cases.
+#[inline]
 pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
-    if budget.bits() > TRANSVERSAL_COUNT.largest_grid(512) {
-        return transversal_count_big(lines.map(|&line| line.into()));
+    if budget.exact_lines {
+        let products = PAIRS.map(|[i, j]| float_side(lines[i], lines[j]));
+        if let Some(sign) = discriminant_filter(&products) {
+            record(Predicate::TransversalCount, Stage::Filter);
+            return count(sign, &products, lines);
+        }
     }
+    count_beyond_floats(lines, budget)
+}
+
+/// The stages after the float stage on grids of up to 24 bits. Apart, so that the rest is small
+/// enough to be inlined.
+#[inline(never)]
+fn count_beyond_floats(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
     let products = PAIRS.map(|[i, j]| side(lines[i], lines[j]));
-    let skew = products.iter().all(|&s| s != 0);
-    if skew
-        && budget.filters()
-        && let Some(sign) = discriminant_filter(&products)
+    if budget.filters()
+        && !budget.exact_lines
+        && let Some(sign) = discriminant_filter(&products.map(|s| s as f64))
     {
         record(Predicate::TransversalCount, Stage::Filter);
         return count(sign, &products, lines);
@@ -79,21 +91,23 @@ pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount
 
 /// The float stage of [`transversal_count`]: the sign of D if it is sure.
 ///
-/// The six products, rounded to floats, are in error by a factor 1+u each, so a, b and c by 3u
-/// relatively; with m = |a|+|b|+|c| the difference a-b-c is in error by (3+2)um, its square by
+/// The six products are the true ones rounded once (`side_of_lines` sums two exact floats on grids
+/// of up to 24 bits), zero exactly where those are: in error by a factor 1+u each, so a, b and c by
+/// 3u relatively. With m = |a|+|b|+|c| the difference a-b-c is in error by (3+2)um, its square by
 /// (2·5+1)um². 4bc <= m² is in error by (2·3+1)um², the last subtraction by 2um²: 20um² in all,
-/// and 24 with the higher orders and the rounding of m. On the largest grid D is below 2^504.
-fn discriminant_filter(products: &Products<i128>) -> Option<Sign> {
-    let s = products.map(|s| s as f64);
+/// and 24 with the higher orders and the rounding of m. On the largest grid D is below 2^480; and
+/// m = 0 only where a, b and c are zero, and D with them.
+#[inline(always)]
+fn discriminant_filter(s: &Products<f64>) -> Option<Sign> {
     let (a, b, c) = (s[0] * s[5], s[1] * s[4], s[2] * s[3]);
     let m = a.abs() + b.abs() + c.abs();
     let value = (a - b - c) * (a - b - c) - 4.0 * b * c;
-    (value.abs() > 24.0 * U * m * m).then(|| Sign::of(&value))
+    (value.abs() > 24.0 * U * m * m || m == 0.0).then(|| Sign::of(&value))
 }
 
 /// The fixed-width stage: the sign of D.
 fn discriminant_exact(s: &Products<i128>, budget: &Budget) -> Sign {
-    // 6b + 11 bits for a-b-c, on grids of up to 40 bits.
+    // 6b + 11 bits for a-b-c, on grids of up to 38 bits.
     let [a, b, c] = [[0, 5], [1, 4], [2, 3]].map(|[i, j]| Int256::product(s[i], s[j]));
     // With one of them zero, D is the square of the others' difference.
     let square = match (a.is_zero(), b.is_zero(), c.is_zero()) {
@@ -118,7 +132,12 @@ fn discriminant_exact(s: &Products<i128>, budget: &Budget) -> Sign {
     }
 }
 
-fn count(discriminant: Sign, products: &Products<i128>, lines: [&Line; 4]) -> TransversalCount {
+#[inline(always)]
+fn count<T: Zero>(
+    discriminant: Sign,
+    products: &Products<T>,
+    lines: [&Line; 4],
+) -> TransversalCount {
     match discriminant {
         Sign::Negative => TransversalCount::None,
         Sign::Positive => TransversalCount::Two,
@@ -203,12 +222,26 @@ fn double_or_regulus([i, j, k, l]: [usize; 4], lines: &[BigLine; 4]) -> Transver
 pub fn side_of_transversals(lines: [&Line; 4], fifth: &Line, budget: &Budget) -> Sign {
     let [a, b, c, d] = lines;
     let lines = [a, b, c, d, fifth];
+    if budget.exact_lines {
+        let products = gram(|i, j| float_side(lines[i], lines[j]));
+        if let Some(sign) = side_of_transversals_filter(&products) {
+            record(Predicate::SideOfTransversals, Stage::Filter);
+            return sign;
+        }
+    }
+    side_beyond_floats(lines, budget)
+}
+
+/// The stages after the float stage on grids of up to 24 bits.
+#[inline(never)]
+fn side_beyond_floats(lines: [&Line; 5], budget: &Budget) -> Sign {
     if budget.bits() > SIDE_OF_TRANSVERSALS.largest_grid(512) {
         return side_of_transversals_big(lines.map(|&line| line.into()));
     }
     let products = gram(|i, j| side(lines[i], lines[j]));
     if budget.filters()
-        && let Some(sign) = side_of_transversals_filter(&products)
+        && !budget.exact_lines
+        && let Some(sign) = side_of_transversals_filter(&products.map(|row| row.map(|s| s as f64)))
     {
         record(Predicate::SideOfTransversals, Stage::Filter);
         return sign;
@@ -226,18 +259,18 @@ pub fn side_of_transversals(lines: [&Line; 4], fifth: &Line, budget: &Budget) ->
 
 /// The float stage of [`side_of_transversals`].
 ///
-/// Each of the 22 terms has five factors in error by 1+u and four roundings, 9u of its magnitude;
-/// their sum adds 21u of the sum of magnitudes: 30u, and 34 with the higher orders and the
-/// rounding of that sum.
-fn side_of_transversals_filter(products: &[[i128; 5]; 5]) -> Option<Sign> {
-    let s = products.map(|row| row.map(|s| s as f64));
+/// Each of the 22 terms has five factors in error by 1+u (as in the count) and four roundings, 9u
+/// of its magnitude; their sum adds 21u of the sum of magnitudes: 30u, and 34 with the higher
+/// orders and the rounding of that sum. Nothing but zeros sums to the magnitude zero.
+#[inline(always)]
+fn side_of_transversals_filter(s: &[[f64; 5]; 5]) -> Option<Sign> {
     let (mut sum, mut magnitude) = (0.0, 0.0);
     for (sign, factors) in terms() {
         let term: f64 = factors.iter().map(|&[i, j]| s[i][j]).product();
         sum += if sign { term } else { -term };
         magnitude += term.abs();
     }
-    (sum.abs() > 34.0 * U * magnitude).then(|| Sign::of(&sum))
+    (sum.abs() > 34.0 * U * magnitude || magnitude == 0.0).then(|| Sign::of(&sum))
 }
 
 /// [`side_of_transversals`] on unbounded coordinates, the fifth line last.
@@ -297,10 +330,10 @@ fn gram<T: Clone>(side: impl Fn(usize, usize) -> T) -> [[T; 5]; 5] {
     })
 }
 
-/// The side product of two lines on a grid of up to 40 bits.
+/// The side product of two lines, which hold up to 38 bits.
 fn side(x: &Line, y: &Line) -> i128 {
-    const { assert!(SIDE_OF_LINES.largest_grid(128) >= TRANSVERSAL_COUNT.largest_grid(512)) }
-    const { assert!(SIDE_OF_LINES.largest_grid(128) >= SIDE_OF_TRANSVERSALS.largest_grid(512)) }
+    const { assert!(SIDE_OF_LINES.largest_grid(128) >= 38) }
+    const { assert!(TRANSVERSAL_COUNT.largest_grid(512) >= 38) }
     let (d, e) = (x.direction().map(i128::from), y.direction().map(i128::from));
     dot(&d, &y.moment()).plus(&dot(&x.moment(), &e))
 }
