@@ -91,10 +91,11 @@ fn plain_side(l: [&FloatLine; 5]) -> i32 {
         if m[step][step] < 0.0 {
             sign = -sign;
         }
-        for i in step + 1..5 {
-            let factor = m[i][step] / m[step][step];
-            for j in step..5 {
-                m[i][j] -= factor * m[step][j];
+        let pivot_row = m[step];
+        for row in &mut m[step + 1..] {
+            let factor = row[step] / pivot_row[step];
+            for (entry, p) in row.iter_mut().zip(pivot_row) {
+                *entry -= factor * p;
             }
         }
     }

@@ -64,7 +64,11 @@ const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 #[inline]
 pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
     if budget.exact_lines {
-        let products = PAIRS.map(|[i, j]| float_side(lines[i], lines[j]));
+        // Written out: the compiler does not unroll it from the table.
+        let [k, l, m, n] = lines;
+        let (kl, km, kn) = (float_side(k, l), float_side(k, m), float_side(k, n));
+        let (lm, ln, mn) = (float_side(l, m), float_side(l, n), float_side(m, n));
+        let products = [kl, km, kn, lm, ln, mn];
         if let Some(sign) = discriminant_filter(&products) {
             record(Predicate::TransversalCount, Stage::Filter);
             return count(sign, &products, lines);
@@ -142,10 +146,16 @@ fn count<T: Zero>(
         Sign::Negative => TransversalCount::None,
         Sign::Positive => TransversalCount::Two,
         // Degenerate: one line touched twice, or infinitely many.
-        Sign::Zero => match skew_triple(products) {
-            None => TransversalCount::Family,
-            Some(triple) => double_or_regulus(triple, &lines.map(|&line| BigLine::from(line))),
-        },
+        Sign::Zero => degenerate(products, lines),
+    }
+}
+
+/// The count where D = 0.
+#[inline(never)]
+fn degenerate<T: Zero>(products: &Products<T>, lines: [&Line; 4]) -> TransversalCount {
+    match skew_triple(products) {
+        None => TransversalCount::Family,
+        Some(triple) => double_or_regulus(triple, &lines.map(|&line| BigLine::from(line))),
     }
 }
 

@@ -208,7 +208,8 @@ impl Hourglass {
 
     /// The cut where all ends are on one line; `left` and `right` bound the gap.
     fn cut_on_line(&mut self, left: u32, right: u32, end: u32) -> Cut {
-        let (same, other) = if end % 2 == left % 2 { (left, right) } else { (right, left) };
+        let (same, other) =
+            if is_left(end) == is_left(left) { (left, right) } else { (right, left) };
         let outward = self.order(other, same);
         if self.order(other, end) != outward {
             // At the other side's end, or beyond it: left and right ends overlap.
@@ -217,7 +218,11 @@ impl Hourglass {
         if self.order(end, same) != outward {
             return Cut::Redundant;
         }
-        if end % 2 == left % 2 { self.store([end, right]) } else { self.store([left, end]) }
+        if is_left(end) == is_left(left) {
+            self.store([end, right])
+        } else {
+            self.store([left, end])
+        }
     }
 
     fn store(&mut self, list: impl IntoIterator<Item = u32>) -> Cut {
@@ -230,7 +235,7 @@ impl Hourglass {
     /// det(±a, ±b, ±c), each end as (x, y, 1) with the sign of its side.
     fn sign(&self, a: u32, b: u32, c: u32) -> Sign {
         let turn = self.turn(a, b, c);
-        if (a + b + c) % 2 == 0 { turn } else { -turn }
+        if is_left(a + b + c) { turn } else { -turn }
     }
 
     fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
@@ -257,6 +262,12 @@ impl Hourglass {
             Ends::Big(points) => points[end as usize].clone(),
         }
     }
+}
+
+/// Whether the end with this number is a left one; for a sum of numbers, whether an even number of
+/// them are right ones.
+fn is_left(end: u32) -> bool {
+    end.is_multiple_of(2)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! is weakly right must pass through every end that has a weight, which leaves one line, the lines
 //! through one point, or none to be tried for grazing.
 
-use super::{Hourglass, State};
+use super::{Hourglass, State, is_left};
 use crate::geom::BigPoint2;
 use crate::num::{Int, Rational, Sign};
 use crate::predicates::orient2d_big;
@@ -81,7 +81,7 @@ impl Hourglass {
             .into_iter()
             .map(|(end, weight)| EndTerm {
                 portal: end as usize / 2,
-                end: if end % 2 == 0 { End::Left } else { End::Right },
+                end: if is_left(end) { End::Left } else { End::Right },
                 weight,
             })
             .collect();
@@ -93,7 +93,7 @@ impl Hourglass {
 
     fn vector(&self, end: u32) -> Vector {
         let [x, y] = self.point(end).coordinates;
-        if end % 2 == 0 { [x, y, Int::from(1)] } else { [-x, -y, Int::from(-1)] }
+        if is_left(end) { [x, y, Int::from(1)] } else { [-x, -y, Int::from(-1)] }
     }
 
     /// Weights for `end`, which closed the cone of `list`, and for ends of the list.
@@ -122,7 +122,8 @@ impl Hourglass {
 
     /// The same where all ends lie on one line, `first` and `second` bounding the gap.
     fn certificate_on_line(&self, first: u32, second: u32, end: u32) -> Vec<(u32, Int)> {
-        let (same, other) = if end % 2 == first % 2 { (first, second) } else { (second, first) };
+        let (same, other) =
+            if is_left(end) == is_left(first) { (first, second) } else { (second, first) };
         let [p, q, r] = [end, same, other].map(|e| self.point(e).coordinates);
         // An axis that the line is not perpendicular to.
         let axis = usize::from(p[0] == q[0] && q[0] == r[0]);
@@ -138,7 +139,7 @@ impl Hourglass {
         let first = &points[0];
         let fits = |line: &[BigPoint2; 2]| {
             (0..2 * self.states.len() as u32).all(|end| {
-                let wrong = if end % 2 == 0 { Sign::Negative } else { Sign::Positive };
+                let wrong = if is_left(end) { Sign::Negative } else { Sign::Positive };
                 orient2d_big(&line[0], &line[1], &self.point(end)) != wrong
             })
         };
@@ -177,13 +178,13 @@ impl Hourglass {
     fn passes(&self, [p, q]: &[[Rational; 2]; 2], end: u32) -> bool {
         let [x, y] = self.point(end).coordinates.map(Rational::from);
         let turn = (&q[0] - &p[0]) * (y - &p[1]) - (&q[1] - &p[1]) * (x - &p[0]);
-        if end % 2 == 0 { turn.is_positive() } else { turn.is_negative() }
+        if is_left(end) { turn.is_positive() } else { turn.is_negative() }
     }
 
     fn inner_line(&self, list: &[u32]) -> PlaneWitness {
         let [a, b, c] = if let [first, second] = *list {
             // Half way between the two innermost ends of one line, square to it.
-            let (left, right) = if first % 2 == 0 { (first, second) } else { (second, first) };
+            let (left, right) = if is_left(first) { (first, second) } else { (second, first) };
             let [l, r] = [left, right].map(|end| self.point(end).coordinates);
             let normal = [0, 1].map(|i| &l[i] - &r[i]);
             let middle: Int = (0..2).map(|i| &normal[i] * (&l[i] + &r[i])).sum();
