@@ -5,8 +5,10 @@
 //! that serves; a search that pops returns to the narrower cone of the level before.
 
 use super::cone::{Cone, Push};
+use super::line::ExactLine;
 use super::quadric::{BothSigns, Vector, signs_on_edges};
 use super::ring::Ring;
+use super::stabber::ConeShape;
 use crate::num::{Int, Int192, Int256, Int320};
 
 /// A cone in one of the arithmetics.
@@ -113,6 +115,20 @@ impl Engine {
     /// A basis of the lineality space.
     pub(super) fn lineality(&self) -> Vec<Vector> {
         each!(self, cone => cone.lineality().iter().map(unbounded).collect())
+    }
+
+    /// How large the cone is.
+    pub(super) fn shape(&self) -> ConeShape {
+        let (rays, faces) = (self.rays(), self.faces());
+        let crossings = faces.iter().map(|&[i, j]| ExactLine::between(&rays[i], &rays[j]).len());
+        ConeShape {
+            rays: rays.len(),
+            faces: faces.len(),
+            crossings: crossings.sum(),
+            lineality: self.lineality().len(),
+            bits: rays.iter().flatten().map(Int::bits).max().unwrap_or(0),
+            bytes: each!(self, cone => cone.bytes()),
+        }
     }
 
     /// The pairs of rays that span the 2-faces.
