@@ -137,7 +137,7 @@ pub enum BspErrorKind {
         expected: String,
     },
     /// A count that is negative or beyond what is read.
-    #[error("{got} leafs or clusters with visibility, expected 0 to {limit}")]
+    #[error("{got} leafs or clusters with visibility, expected 1 to {limit}")]
     Count {
         /// The count stated.
         got: i64,

@@ -1,99 +1,88 @@
-//! Directed lines by their Plücker coordinates, with unbounded integers.
+//! Directed lines by their Plücker coordinates.
+//!
+//! The line through p and q has the coordinates (direction, moment) = (d, m) = (q - p, p x q).
+//! Teller's (Visibility computations in densely occluded polyhedral environments, 1992, section
+//! 6.1) are π0 … π5 = m_z, -m_y, -d_x, m_x, -d_z, d_y, and his inner product (equation 6.2) is
+//! the negative of d·m' + m·d'.
 
-use super::BigPoint3;
-use crate::num::{Int, Rational};
-use num_integer::Integer;
-use num_traits::{One, Zero};
+use super::{BigPoint3, Point3};
+use crate::num::Int;
 
-/// A directed line: direction and moment, `(q - p, p x q)` for the line from p to q, up to a
-/// positive factor. Teller (1992, section 6.1) lists the same six numbers in another order and
-/// with two signs changed.
+/// A directed line through two points: integer Plücker coordinates.
 ///
-/// Any six integers may stand here: they are a line where `direction · moment = 0` and not all are
-/// zero, and a line at infinity where the direction is zero; its moment is then the normal of the
-/// planes that contain it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// For points of |coordinate| <= 2^b: |direction| <= 2^(b+1), |moment| <= 2^(2b+1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// The nearest floats of the direction and of the moment.
+    floats: ([f64; 3], [f64; 3]),
+    direction: [i64; 3],
+    moment: [i128; 3],
+}
+
+/// A directed line with unbounded Plücker coordinates.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct BigLine {
-    /// The direction.
+    /// q - p.
     pub direction: [Int; 3],
-    /// The moment about the origin.
+    /// p x q.
     pub moment: [Int; 3],
 }
 
-impl BigLine {
-    /// The line from `p` to `q`, or `None` if they are one point.
-    pub fn through(p: &BigPoint3, q: &BigPoint3) -> Option<BigLine> {
-        let (p, q) = (&p.coordinates, &q.coordinates);
-        let direction = [0, 1, 2].map(|i| &q[i] - &p[i]);
-        (p != q).then(|| BigLine { direction, moment: cross(p, q) })
+impl Line {
+    /// The line from `p` through `q`. Two equal points give zeros, which every predicate calls a
+    /// zero.
+    pub fn through(p: &Point3, q: &Point3) -> Line {
+        let (p, q) = (p.integers(), q.integers());
+        let product = |i: usize, j: usize| i128::from(p[i]) * i128::from(q[j]);
+        let minor = |i: usize, j: usize| product(i, j) - product(j, i);
+        let moment = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let direction: [i64; 3] = std::array::from_fn(|i| q[i] - p[i]);
+        let floats = (direction.map(|d| d as f64), moment.map(|m| m as f64));
+        Line { floats, direction, moment }
     }
 
-    /// The line from `p` to `q` in lowest terms, or `None` if they are one point.
-    pub fn through_rational(p: &[Rational; 3], q: &[Rational; 3]) -> Option<BigLine> {
-        let common = p.iter().chain(q).fold(Int::one(), |c, x| c.lcm(x.denom()));
-        let whole = |v: &[Rational; 3]| [0, 1, 2].map(|i| v[i].numer() * (&common / v[i].denom()));
-        let (p, q) = (whole(p), whole(q));
-        // (q - p)/c and (p x q)/c² are the true coordinates.
-        let direction = [0, 1, 2].map(|i| (&q[i] - &p[i]) * &common);
-        let line = BigLine { direction, moment: cross(&p, &q) };
-        (!line.direction.iter().all(Zero::is_zero)).then(|| line.primitive())
+    /// q - p.
+    #[inline]
+    pub fn direction(&self) -> [i64; 3] {
+        self.direction
     }
 
-    /// The same line with coordinates that have no common factor.
-    #[must_use]
-    pub fn primitive(&self) -> BigLine {
-        let divisor = self.direction.iter().chain(&self.moment).fold(Int::zero(), |g, c| g.gcd(c));
-        if divisor.is_zero() {
-            return self.clone();
+    /// p x q.
+    #[inline]
+    pub fn moment(&self) -> [i128; 3] {
+        self.moment
+    }
+
+    /// The nearest floats of the direction and of the moment.
+    #[inline]
+    pub fn floats(&self) -> &([f64; 3], [f64; 3]) {
+        &self.floats
+    }
+
+    /// The same line in the other direction.
+    pub fn reversed(&self) -> Line {
+        Line {
+            floats: (self.floats.0.map(|c| -c), self.floats.1.map(|c| -c)),
+            direction: self.direction.map(|c| -c),
+            moment: self.moment.map(|c| -c),
         }
-        let divide = |v: &[Int; 3]| [0, 1, 2].map(|i| &v[i] / &divisor);
-        BigLine { direction: divide(&self.direction), moment: divide(&self.moment) }
-    }
-
-    /// The side product with another line, `d1·m2 + m1·d2`: positive where this line passes the
-    /// other as a line through the inside of a portal passes the portal's edges, zero where the
-    /// two are coplanar.
-    pub fn side_product(&self, other: &BigLine) -> Int {
-        dot(&self.direction, &other.moment) + dot(&self.moment, &other.direction)
     }
 }
 
-fn dot(a: &[Int; 3], b: &[Int; 3]) -> Int {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+impl BigLine {
+    /// The line from `p` through `q`.
+    pub fn through(p: &BigPoint3, q: &BigPoint3) -> BigLine {
+        let [p, q] = [&p.coordinates, &q.coordinates];
+        let minor = |i: usize, j: usize| &p[i] * &q[j] - &p[j] * &q[i];
+        BigLine {
+            direction: std::array::from_fn(|i| &q[i] - &p[i]),
+            moment: [minor(1, 2), minor(2, 0), minor(0, 1)],
+        }
+    }
 }
 
-fn cross(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn point(p: [i64; 3]) -> BigPoint3 {
-        BigPoint3 { coordinates: p.map(Int::from) }
-    }
-
-    #[test]
-    fn the_side_product_is_the_determinant_of_four_points() {
-        let [a, b, c, d] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(point);
-        let side = |p: &BigPoint3, q: &BigPoint3, r: &BigPoint3, s: &BigPoint3| {
-            BigLine::through(p, q).unwrap().side_product(&BigLine::through(r, s).unwrap())
-        };
-        assert_eq!(side(&a, &b, &c, &d), Int::one());
-        assert_eq!(side(&c, &d, &a, &b), Int::one());
-        assert_eq!(side(&b, &a, &c, &d), -Int::one());
-        assert_eq!(side(&a, &b, &a, &d), Int::zero());
-    }
-
-    #[test]
-    fn rational_points_give_a_line_in_lowest_terms() {
-        let half = |v: [i64; 3]| v.map(|c| Rational::new(Int::from(c), Int::from(2)));
-        // From (1/2, 1, 3/2) to (3/2, 1, 1/2).
-        let line = BigLine::through_rational(&half([1, 2, 3]), &half([3, 2, 1])).unwrap();
-        assert_eq!(line.direction, [1, 0, -1].map(Int::from));
-        assert_eq!(line.moment, [-1, 2, -1].map(Int::from));
-        assert_eq!(BigLine::through_rational(&half([1, 1, 1]), &half([1, 1, 1])), None);
-        assert_eq!(BigLine::through(&point([1, 1, 1]), &point([1, 1, 1])), None);
+impl From<Line> for BigLine {
+    fn from(line: Line) -> BigLine {
+        BigLine { direction: line.direction.map(Int::from), moment: line.moment.map(Int::from) }
     }
 }

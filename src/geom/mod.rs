@@ -1,7 +1,10 @@
-//! Geometric data: points, polygons. Data only; every decision about them is a predicate.
+//! Geometric data: points, lines, planes. Data only; every decision about them is a predicate.
 
 mod line;
+mod plane;
+mod plucker;
 mod point;
 
-pub use line::BigLine;
+pub use line::{BigLine, Line};
+pub use plane::{BigPlane, Plane};
 pub use point::{BigPoint2, BigPoint3, Point2, Point3};

@@ -1,9 +1,9 @@
 //! Points of a scene's grid, in grid units.
 //!
 //! Two ranges: [`Point2`] and [`Point3`] hold integers up to 2^53 in magnitude, as every level of
-//! a game does; [`BigPoint2`] and [`BigPoint3`] hold any integers. The small ones keep each
-//! coordinate in an `f64`, which holds such an integer exactly, so that the float stage of a
-//! predicate reads it without a conversion.
+//! a game does, so that each is also a float exactly; [`BigPoint2`] and [`BigPoint3`] hold any
+//! integers. The small ones are kept as integers, because the predicates on points decide in
+//! integers at once (`docs/predicates.md` says why: a float stage does not pay there).
 
 use crate::num::Int;
 use num_traits::ToPrimitive;
@@ -12,22 +12,22 @@ use num_traits::ToPrimitive;
 /// is an `f64`.
 const MAX_COORDINATE: i64 = 1 << 53;
 
-fn coordinate(value: i64) -> Option<f64> {
-    (value.unsigned_abs() <= MAX_COORDINATE.unsigned_abs()).then_some(value as f64)
+fn coordinate(value: i64) -> Option<i64> {
+    (value.unsigned_abs() <= MAX_COORDINATE.unsigned_abs()).then_some(value)
 }
 
 /// A point of the plane: integers of magnitude up to 2^53.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Point2 {
-    /// Invariant: integer-valued, at most 2^53 in magnitude.
-    coordinates: [f64; 2],
+    /// Invariant: at most 2^53 in magnitude.
+    coordinates: [i64; 2],
 }
 
 /// A point of space: integers of magnitude up to 2^53.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Point3 {
-    /// Invariant: integer-valued, at most 2^53 in magnitude.
-    coordinates: [f64; 3],
+    /// Invariant: at most 2^53 in magnitude.
+    coordinates: [i64; 3],
 }
 
 impl Point2 {
@@ -37,13 +37,15 @@ impl Point2 {
     }
 
     /// The coordinates as floats, which hold them exactly.
+    #[inline]
     pub fn floats(&self) -> [f64; 2] {
-        self.coordinates
+        self.coordinates.map(|c| c as f64)
     }
 
     /// The coordinates as integers.
+    #[inline]
     pub fn integers(&self) -> [i64; 2] {
-        self.coordinates.map(|c| c as i64)
+        self.coordinates
     }
 }
 
@@ -54,13 +56,15 @@ impl Point3 {
     }
 
     /// The coordinates as floats, which hold them exactly.
+    #[inline]
     pub fn floats(&self) -> [f64; 3] {
-        self.coordinates
+        self.coordinates.map(|c| c as f64)
     }
 
     /// The coordinates as integers.
+    #[inline]
     pub fn integers(&self) -> [i64; 3] {
-        self.coordinates.map(|c| c as i64)
+        self.coordinates
     }
 }
 

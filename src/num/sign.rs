@@ -4,32 +4,31 @@ use std::cmp::Ordering;
 use std::ops::{Mul, Neg};
 
 /// The sign of an exact number.
+///
+/// Its values are those of [`Ordering`], so that one turns into the other for nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Sign {
     /// Less than zero.
-    Negative,
+    Negative = -1,
     /// Exactly zero: a degeneracy, never a rounding.
-    Zero,
+    Zero = 0,
     /// Greater than zero.
-    Positive,
+    Positive = 1,
 }
 
 impl Sign {
     /// The sign of `value`, by comparison with the zero of its type.
+    #[inline]
     pub fn of<T: PartialOrd + Default>(value: &T) -> Sign {
         let zero = T::default();
-        if *value > zero {
-            Sign::Positive
-        } else if *value < zero {
-            Sign::Negative
-        } else {
-            Sign::Zero
-        }
+        // Comparing the two answers takes no branch, and signs are as unpredictable as coins.
+        (*value > zero).cmp(&(*value < zero)).into()
     }
 }
 
 impl From<Ordering> for Sign {
     /// `a.cmp(&b)` becomes the sign of `a - b`.
+    #[inline]
     fn from(ordering: Ordering) -> Sign {
         match ordering {
             Ordering::Less => Sign::Negative,
@@ -41,6 +40,7 @@ impl From<Ordering> for Sign {
 
 impl Neg for Sign {
     type Output = Sign;
+    #[inline]
     fn neg(self) -> Sign {
         match self {
             Sign::Negative => Sign::Positive,
@@ -52,6 +52,7 @@ impl Neg for Sign {
 
 impl Mul for Sign {
     type Output = Sign;
+    #[inline]
     fn mul(self, other: Sign) -> Sign {
         match self {
             Sign::Negative => -other,

@@ -116,16 +116,22 @@ pub struct Bound {
     /// At least 1, so that u·B also bounds the rounding of coordinates that underflow. Infinite
     /// where it is out of range or not a number: then nothing is ever decided.
     b: f64,
+    /// The largest error that any plane's value at any point can have: decides nearly all.
+    plane_error: f64,
 }
 
 impl Bound {
     /// Decides nothing: what is made with it always answers `None`. The way to switch these
     /// filters off, to compare results with and without them.
-    pub const NEVER: Bound = Bound { b: f64::INFINITY };
+    pub const NEVER: Bound = Bound { b: f64::INFINITY, plane_error: f64::INFINITY };
 
     /// The bound `largest`, a magnitude that no coordinate exceeds.
     pub fn new(largest: f64) -> Bound {
-        Bound { b: if largest <= LARGEST_BOUND { largest.max(1.0) } else { f64::INFINITY } }
+        if !(largest <= LARGEST_BOUND) {
+            return Bound::NEVER;
+        }
+        let b = largest.max(1.0);
+        Bound { b, plane_error: PlaneScale::widest(b).rounded_error(b) }
     }
 
     /// The bound of some points. Points that are used later with it must lie within it too.
@@ -144,10 +150,10 @@ impl Bound {
 pub struct FilteredPlane {
     normal: [f64; 3],
     offset: f64,
-    /// The largest error of the value at a point, by how the point is held. Never zero for
-    /// rounded points.
-    errors: [f64; 3],
-    /// Only to check the contract.
+    /// The largest coordinate of b - a and that of c - a; infinite where a point was beyond the
+    /// bound, so that nothing is decided.
+    differences: [f64; 2],
+    held: Held,
     bound: Bound,
 }
 
@@ -161,14 +167,12 @@ impl FilteredPlane {
         let normal = cross(p, q);
         let offset = dot(normal, a.p);
         let held = a.held.max(b.held).max(c.held);
-        let within = bound.holds(a) && bound.holds(b) && bound.holds(c);
-        let errors = if within {
-            let scale = PlaneScale { p: max_abs(p), q: max_abs(q), normal: max_abs(normal), held };
-            Held::ALL.map(|tested| scale.error(tested, bound.b))
+        if bound.holds(a) && bound.holds(b) && bound.holds(c) {
+            FilteredPlane { normal, offset, differences: [max_abs(p), max_abs(q)], held, bound }
         } else {
-            [f64::INFINITY; 3]
-        };
-        FilteredPlane { normal, offset, errors, bound }
+            let differences = [f64::INFINITY; 2];
+            FilteredPlane { normal, offset, differences, held: Held::Rounded, bound: Bound::NEVER }
+        }
     }
 
     /// The side of `v`, where the floats prove it.
@@ -176,8 +180,28 @@ impl FilteredPlane {
     /// Requires: the plane's bound holds for `v`.
     #[inline]
     pub fn side(&self, v: &Approx3) -> Option<Sign> {
-        debug_assert!(self.bound.holds(v), "a point lies outside the plane's bound");
-        decide(dot(self.normal, v.p) - self.offset, self.errors[v.held as usize])
+        debug_assert!(
+            self.bound == Bound::NEVER || self.bound.holds(v),
+            "a point lies outside the plane's bound"
+        );
+        let value = dot(self.normal, v.p) - self.offset;
+        if value > self.bound.plane_error {
+            Some(Sign::Positive)
+        } else if value < -self.bound.plane_error {
+            Some(Sign::Negative)
+        } else {
+            self.side_near(value, v.held)
+        }
+    }
+
+    /// The sign of a value that may be small, with the error of this very plane.
+    fn side_near(&self, value: f64, tested: Held) -> Option<Sign> {
+        decide(value, self.scale().error(tested, self.bound.b))
+    }
+
+    fn scale(&self) -> PlaneScale {
+        let [p, q] = self.differences;
+        PlaneScale { p, q, normal: max_abs(self.normal), held: self.held }
     }
 
     /// The same plane seen from its other side.
@@ -188,6 +212,14 @@ impl FilteredPlane {
     /// A normal, not normalised, towards the positive side: for proposals.
     pub fn normal(&self) -> [f64; 3] {
         self.normal
+    }
+
+    /// Normal and offset, where they are integers and known exactly.
+    pub fn integers(&self) -> Option<[i64; 4]> {
+        let [x, y, z] = self.normal;
+        (self.scale().is_exact(Held::Integer, self.bound.b)
+            && [x, y, z, self.offset].iter().all(|c| c.fract() == 0.0))
+        .then(|| [x, y, z, self.offset].map(|c| c as i64))
     }
 
     /// The offset along [`FilteredPlane::normal`]: for proposals.
@@ -208,6 +240,18 @@ struct PlaneScale {
 }
 
 impl PlaneScale {
+    /// The largest magnitudes under a bound: differences of 2B, a normal of 2·(2B)², each with
+    /// room for its rounding.
+    fn widest(bound: f64) -> PlaneScale {
+        let difference = 2.0 * bound * (1.0 + 4.0 * U);
+        let normal = 2.0 * difference * difference * (1.0 + 8.0 * U);
+        PlaneScale { p: difference, q: difference, normal, held: Held::Rounded }
+    }
+
+    fn error(&self, tested: Held, bound: f64) -> f64 {
+        if self.is_exact(tested, bound) { 0.0 } else { self.rounded_error(bound) }
+    }
+
     /// Exact: the true coordinates of a, b, c are multiples of g, those of v of h. Then
     /// differences are multiples of g below 2B, the normal's coordinates multiples of g² that no
     /// partial result brings beyond 2PQ, and all partial sums of n·v - n·a multiples of
@@ -237,10 +281,9 @@ impl PlaneScale {
     /// u·6NB: 22uNB, to first order. With the second-order terms and the rounding of this very
     /// formula (a few u, relative) that is less than 6.1·Bν + 28.1·uNB; the constants below
     /// leave a margin.
-    fn error(&self, tested: Held, bound: f64) -> f64 {
-        if self.is_exact(tested, bound) {
-            return 0.0;
-        }
+    ///
+    /// It grows with P, Q, N and δ, so its value at the largest of each bounds it everywhere.
+    fn rounded_error(&self, bound: f64) -> f64 {
         let delta = self.held.error(bound);
         let eta_p = U * self.p + 2.0 * delta;
         let eta_q = U * self.q + 2.0 * delta;

@@ -8,8 +8,9 @@
 use super::bits::Bits;
 use crate::geom::BigPoint3;
 use crate::num::{Int, Rational, Sign};
-use crate::predicates::filtered::{Approx3, Bound, FilteredPlane};
+use crate::predicates::filtered::{Approx3, Bound, FilteredLine, FilteredPlane};
 use crate::scene::PortalGraph;
+use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 /// A portal with a direction of crossing.
@@ -27,7 +28,27 @@ pub(crate) struct Plane {
     through: [u32; 3],
 }
 
+/// What tells planes apart: equal keys are the same plane, with the same front.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum PlaneKey {
+    /// Normal and offset in lowest terms, where the floats hold them exactly.
+    Reduced([i64; 4]),
+    /// The vertices that the plane goes through.
+    Through([u32; 3]),
+}
+
 impl Plane {
+    /// The plane's key; the same plane through other vertices may have another key.
+    pub fn key(&self) -> PlaneKey {
+        match self.filter.integers() {
+            Some(coefficients) => {
+                let divisor = coefficients.iter().fold(0i64, |g, c| g.gcd(c)).max(1);
+                PlaneKey::Reduced(coefficients.map(|c| c / divisor))
+            }
+            None => PlaneKey::Through(self.through),
+        }
+    }
+
     /// Whether the floats found the three vertices collinear; a hint, not a verdict.
     pub fn is_null(&self) -> bool {
         self.filter.normal() == [0.0; 3]
@@ -60,6 +81,8 @@ pub(crate) struct Arena {
     bound: Bound,
     spans: Vec<Span>,
     ids: Vec<u32>,
+    /// The edge from each vertex of `ids` to the next of its polygon.
+    edges: Vec<FilteredLine>,
     planes: Vec<Plane>,
     leaving: Vec<Directed>,
     leaving_of: Vec<u32>,
@@ -77,6 +100,7 @@ impl Arena {
             bound,
             spans: Vec::new(),
             ids: Vec::new(),
+            edges: Vec::new(),
             planes: Vec::new(),
             leaving: Vec::new(),
             leaving_of: Vec::new(),
@@ -104,7 +128,14 @@ impl Arena {
             .iter()
             .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
             .fold(0.0, f64::max);
+        let edges: Vec<FilteredLine> = (0..ids.len())
+            .map(|i| {
+                let [a, b] = [i, (i + 1) % ids.len()].map(|i| &self.points[ids[i] as usize]);
+                FilteredLine::through(a, b, self.bound)
+            })
+            .collect();
         let plane = self.supporting_plane(ids);
+        self.edges.extend(edges);
         self.planes.push(plane);
         self.spans.push(Span {
             first: first as u32,
@@ -171,6 +202,12 @@ impl Arena {
         &self.ids[span.first as usize..span.end as usize]
     }
 
+    /// The edges of `portal`, the first from its first vertex.
+    pub fn edges(&self, portal: Directed) -> &[FilteredLine] {
+        let span = &self.spans[portal as usize];
+        &self.edges[span.first as usize..span.end as usize]
+    }
+
     pub fn point(&self, vertex: u32) -> &Approx3 {
         &self.points[vertex as usize]
     }
@@ -221,6 +258,10 @@ impl Arena {
         if normal[0] * center[0] + normal[1] * center[1] + normal[2] * center[2] > offset {
             return false;
         }
+        self.wholly_behind_exact(plane, portal)
+    }
+
+    pub fn wholly_behind_exact(&self, plane: &Plane, portal: Directed) -> bool {
         self.vertices(portal).iter().all(|&v| match self.side(plane, v) {
             Sign::Positive => false,
             // A portal that only touches the plane from behind has its interior behind it.
@@ -323,5 +364,45 @@ impl Grid {
                 )
             }
         }
+    }
+}
+
+impl Arena {
+    /// Whether no line is strictly on the positive side of all edges, each from a vertex to
+    /// another.
+    pub fn excluded(&self, edges: &[[u32; 2]]) -> bool {
+        match &self.grid {
+            Grid::Small(points) => {
+                let lines: Vec<[[f64; 3]; 2]> =
+                    edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
+                crate::predicates::gordan::exclude_each_other(&lines, || {
+                    edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect()
+                })
+            }
+            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(
+                &edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>(),
+            ),
+        }
+    }
+}
+
+impl Arena {
+    pub fn exact_portals(&self, path: &[Directed]) -> Vec<crate::stab::Portal3> {
+        let polys: Vec<Vec<[Int; 3]>> = path
+            .iter()
+            .map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect())
+            .collect();
+        let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
+        polys
+            .into_iter()
+            .map(|p| {
+                crate::stab::Portal3::new(
+                    &p.into_iter()
+                        .map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) })
+                        .collect::<Vec<_>>(),
+                )
+                .unwrap()
+            })
+            .collect()
     }
 }

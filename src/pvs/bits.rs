@@ -1,6 +1,8 @@
 //! Bit sets over the directed portals or the cells of one graph: plain words, because the search
 //! intersects millions of them.
 
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
 /// A set of small integers of a fixed universe.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Bits {
@@ -44,6 +46,12 @@ impl Bits {
         }
     }
 
+    pub fn assign_shared_intersection(&mut self, a: &Bits, b: &SharedBits) {
+        for ((out, a), b) in self.words.iter_mut().zip(&a.words).zip(&b.words) {
+            *out = a & b.load(Relaxed);
+        }
+    }
+
     pub fn unite(&mut self, other: &Bits) {
         for (out, b) in self.words.iter_mut().zip(&other.words) {
             *out |= b;
@@ -67,5 +75,30 @@ impl Bits {
             })
             .map(move |w| i as u32 * 64 + w.trailing_zeros())
         })
+    }
+}
+
+/// A set that threads share, and from which members only ever vanish.
+#[derive(Debug)]
+pub(crate) struct SharedBits {
+    words: Vec<AtomicU64>,
+}
+
+impl SharedBits {
+    pub fn new(bits: &Bits) -> SharedBits {
+        SharedBits { words: bits.words.iter().map(|&w| AtomicU64::new(w)).collect() }
+    }
+
+    pub fn remove(&self, member: u32) {
+        self.words[member as usize / 64].fetch_and(!(1 << (member % 64)), Relaxed);
+    }
+
+    pub fn intersects(&self, other: &Bits) -> bool {
+        self.words.iter().zip(&other.words).any(|(a, b)| a.load(Relaxed) & b != 0)
+    }
+
+    /// The members now.
+    pub fn snapshot(&self) -> Bits {
+        Bits { words: self.words.iter().map(|w| w.load(Relaxed)).collect() }
     }
 }

@@ -13,7 +13,7 @@
 //! portals a cell, `m` members of a bound, `s` separating planes of two portals.
 
 use super::arena::{Arena, Directed, Plane, reverse};
-use super::bits::Bits;
+use super::bits::{Bits, SharedBits};
 use super::separators::separators;
 use rayon::prelude::*;
 
@@ -135,6 +135,30 @@ impl Flood {
         Flood { reached: arena.no_portals(), entered: arena.no_cells(), stack: Vec::new() }
     }
 
+    pub fn run_hinted(
+        &mut self,
+        arena: &Arena,
+        first: Directed,
+        candidates: &Bits,
+        behind: impl Fn(Directed) -> bool,
+    ) {
+        self.reached.clear();
+        self.entered.clear();
+        self.entered.insert(arena.to(first));
+        self.stack.push(arena.to(first));
+        while let Some(cell) = self.stack.pop() {
+            for &next in arena.leaving(cell) {
+                if !candidates.has(next) || behind(next) {
+                    continue;
+                }
+                self.reached.insert(next);
+                if self.entered.insert(arena.to(next)) {
+                    self.stack.push(arena.to(next));
+                }
+            }
+        }
+    }
+
     /// Crosses from the cell that `first` enters every candidate that is not wholly behind one of
     /// the planes.
     pub fn run(&mut self, arena: &Arena, first: Directed, candidates: &Bits, planes: &[Plane]) {
@@ -150,6 +174,40 @@ impl Flood {
                 self.reached.insert(next);
                 if self.entered.insert(arena.to(next)) {
                     self.stack.push(arena.to(next));
+                }
+            }
+        }
+    }
+}
+
+/// The bounds as the searches share them: what one refutes, all may leave out.
+///
+/// Which members are still there when another thread looks is a matter of chance; but they only
+/// ever prune what is not open, so no result depends on it (`search` says why).
+pub(crate) struct SharedBounds {
+    after: Vec<SharedBits>,
+}
+
+impl SharedBounds {
+    pub fn new(bounds: &Bounds) -> SharedBounds {
+        SharedBounds { after: bounds.after.iter().map(SharedBits::new).collect() }
+    }
+
+    /// The directed portals that might be crossed after `portal`.
+    pub fn after(&self, portal: Directed) -> &SharedBits {
+        &self.after[portal as usize]
+    }
+
+    /// Notes that no line runs from cell `a` to cell `b`: none crosses a portal of the one before a
+    /// portal of the other, in either direction.
+    pub fn refute(&self, arena: &Arena, a: u32, b: u32) {
+        for &p in arena.leaving(a) {
+            for &q in arena.leaving(b) {
+                for (p, q) in [(p, q), (p, reverse(q)), (reverse(p), q), (reverse(p), reverse(q))] {
+                    self.after(p).remove(q);
+                    self.after(reverse(q)).remove(reverse(p));
+                    self.after(q).remove(p);
+                    self.after(reverse(p)).remove(reverse(q));
                 }
             }
         }

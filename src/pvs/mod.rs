@@ -3,7 +3,6 @@
 mod arena;
 mod bits;
 mod bounds;
-mod gordan;
 mod propose;
 mod search;
 mod separators;
@@ -41,11 +40,12 @@ pub fn run(graph: &PortalGraph) {
         rank[c as usize] = i;
     }
     println!("upper {}", cellsee.iter().map(|c| c.count() as u64).sum::<u64>());
+    let shared = bounds::SharedBounds::new(&bounds);
     let res: Vec<_> = order
         .par_iter()
         .with_max_len(1)
         .map_init(
-            || search::Search::new(&arena, &bounds),
+            || search::Search::new(&arena, &shared),
             |s, &a| {
                 s.found.clear();
                 s.stats = Default::default();
@@ -75,6 +75,12 @@ pub fn run(graph: &PortalGraph) {
         macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
         add!(
             nodes,
+            nogood,
+            cones,
+            cone_portals,
+            cone_open,
+            t_cone,
+            compat,
             floods,
             no_goal,
             inherited,
@@ -92,6 +98,7 @@ pub fn run(graph: &PortalGraph) {
             t_gordan,
             t_line
         );
+
         for i in 0..8 {
             t.support[i] += s.support[i];
         }

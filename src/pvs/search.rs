@@ -2,7 +2,7 @@
 
 use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
-use super::bounds::{Bounds, Flood};
+use super::bounds::{Flood, SharedBounds};
 use super::propose::{Bivector, Frame, Half, NormPoint, Outcome, half, propose_line};
 use super::separators::SeparatorCache;
 use crate::predicates::filtered::{Approx3, FilteredLine};
@@ -17,6 +17,12 @@ pub(crate) struct Line {
 #[derive(Default, Clone, Debug)]
 pub struct Stats {
     pub nodes: u64,
+    pub nogood: u64,
+    pub cones: u64,
+    pub cone_portals: u64,
+    pub cone_open: u64,
+    pub t_cone: f64,
+    pub compat: u64,
     pub floods: u64,
     pub no_goal: u64,
     pub inherited: u64,
@@ -42,11 +48,12 @@ struct Level {
     x: Option<Bivector>,
     line: Option<Line>,
     halves: usize,
+    planes: usize,
 }
 
 pub(crate) struct Search<'a> {
     arena: &'a Arena,
-    bounds: &'a Bounds,
+    bounds: &'a SharedBounds,
     pub wanted: Bits,
     pub found: Vec<(u32, Vec<Directed>, Line)>,
     path: Vec<Directed>,
@@ -55,15 +62,21 @@ pub(crate) struct Search<'a> {
     halves: Vec<Half>,
     owners: Vec<[u32; 2]>,
     flood: Flood,
-    planes: Vec<Plane>,
+    planes: Vec<u32>,
+    active: Vec<bool>,
+    hints: Hints,
     candidates: Bits,
     goals: Bits,
+    nogoods: rustc_hash::FxHashMap<Directed, Vec<Vec<Directed>>>,
+    on_path: Bits,
+    half_owner: Vec<u8>,
+    goal_portals: Bits,
     cache: SeparatorCache,
     pub stats: Stats,
 }
 
 impl<'a> Search<'a> {
-    pub fn new(arena: &'a Arena, bounds: &'a Bounds) -> Self {
+    pub fn new(arena: &'a Arena, bounds: &'a SharedBounds) -> Self {
         Search {
             arena,
             bounds,
@@ -76,8 +89,14 @@ impl<'a> Search<'a> {
             owners: Vec::new(),
             flood: Flood::new(arena),
             planes: Vec::new(),
+            active: Vec::new(),
+            hints: Hints::default(),
             candidates: arena.no_portals(),
             goals: arena.no_cells(),
+            nogoods: Default::default(),
+            on_path: arena.no_portals(),
+            half_owner: Vec::new(),
+            goal_portals: arena.no_portals(),
             stats: Stats::default(),
             cache: SeparatorCache::default(),
         }
@@ -95,6 +114,9 @@ impl<'a> Search<'a> {
             self.leave();
         }
         self.crossed.remove(source);
+        for b in self.wanted.iter() {
+            self.bounds.refute(self.arena, source, b);
+        }
     }
 
     fn visit(&mut self) {
@@ -117,8 +139,12 @@ impl<'a> Search<'a> {
 
     fn leave(&mut self) {
         let last = self.path.pop().unwrap();
+        self.on_path.remove(last);
         self.crossed.remove(self.arena.to(last));
         let depth = self.path.len();
+        for id in self.planes.drain(self.levels[depth].planes..) {
+            self.active[id as usize] = false;
+        }
         self.owners.truncate(if depth == 0 { 0 } else { self.levels[depth - 1].halves });
     }
 
@@ -133,28 +159,39 @@ impl<'a> Search<'a> {
                 x: None,
                 line: None,
                 halves: 0,
+                planes: 0,
             });
         }
+        if self.is_nogood(next) {
+            self.stats.nogood += 1;
+            self.path.push(next);
+            self.crossed.insert(arena.to(next));
+            self.on_path.insert(next);
+            self.levels[depth].planes = self.planes.len();
+            return false;
+        }
+        self.on_path.insert(next);
         self.path.push(next);
         self.crossed.insert(arena.to(next));
         let t0 = std::time::Instant::now();
-        self.planes.clear();
-        if depth == 0 {
-            self.candidates.clear();
-            self.candidates.unite(self.bounds.after(next));
+        self.levels[depth].planes = self.planes.len();
+        let ok = if depth == 0 {
+            self.candidates = self.bounds.after(next).snapshot();
+            self.sift(next, depth, 0..0)
         } else {
             self.candidates
-                .assign_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
-            for i in 0..depth {
-                let planes = self.cache.get(arena, self.path[i], next);
-                self.planes.extend_from_slice(planes);
+                .assign_shared_intersection(&self.levels[depth - 1].might, self.bounds.after(next));
+            self.sift(next, depth, 0..1) && {
+                std::mem::swap(&mut self.candidates, &mut self.flood.reached);
+                depth == 1 || self.sift(next, depth, 1..depth)
             }
+        };
+        if depth == 1 && ok {
+            std::mem::swap(&mut self.candidates, &mut self.flood.reached);
         }
-        self.stats.t_sep += t0.elapsed().as_secs_f64();
-        self.stats.planes += self.planes.len() as u64;
-        let t0 = std::time::Instant::now();
-        self.stats.floods += 1;
-        let ok = self.narrow(next, depth);
+        if ok {
+            self.aim(depth);
+        }
         self.stats.t_flood += t0.elapsed().as_secs_f64();
         if !ok {
             self.stats.no_goal += 1;
@@ -182,14 +219,51 @@ impl<'a> Search<'a> {
         open
     }
 
-    fn narrow(&mut self, next: Directed, depth: usize) -> bool {
+    fn sift(&mut self, next: Directed, depth: usize, with: std::ops::Range<usize>) -> bool {
         let arena = self.arena;
-        self.flood.run(arena, next, &self.candidates, &self.planes);
-        self.goals.assign_intersection(&self.flood.entered, &self.wanted);
-        if self.goals.is_empty() {
-            return false;
+        let first_plane = self.planes.len();
+        self.hints.clear();
+        for i in with {
+            for &id in self.cache.get(arena, self.path[i], next) {
+                if self.active.len() <= id as usize {
+                    self.active.resize(id as usize + 1024, false);
+                }
+                if !self.active[id as usize] {
+                    self.active[id as usize] = true;
+                    self.planes.push(id);
+                }
+            }
         }
-        // backward
+        for &id in &self.planes[first_plane..] {
+            self.hints.push(self.cache.plane(id));
+        }
+        self.stats.planes += (self.planes.len() - first_plane) as u64;
+        let (hints, cache, planes) = (&self.hints, &self.cache, &self.planes[first_plane..]);
+        self.flood.run_hinted(arena, next, &self.candidates, |t| {
+            hints.any_behind(arena.center(t), |i| {
+                arena.wholly_behind_exact(cache.plane(planes[i]), t)
+            })
+        });
+        self.goals.assign_intersection(&self.flood.entered, &self.wanted);
+        let _ = depth;
+        !self.goals.is_empty()
+    }
+
+    fn aim(&mut self, depth: usize) {
+        let arena = self.arena;
+        // every portal must be able to lead to a goal
+        self.goal_portals.clear();
+        for t in self.flood.reached.iter() {
+            if self.wanted.has(arena.to(t)) {
+                self.goal_portals.insert(t);
+            }
+        }
+        for t in self.flood.reached.clone().iter() {
+            if !self.goal_portals.has(t) && !self.bounds.after(t).intersects(&self.goal_portals) {
+                self.flood.reached.remove(t);
+                self.stats.compat += 1;
+            }
+        }
         let might = &mut self.levels[depth].might;
         might.clear();
         let mut stack: Vec<u32> = self.goals.iter().collect();
@@ -204,7 +278,6 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        true
     }
 
     fn push_halves(&mut self, next: Directed) {
@@ -225,13 +298,15 @@ impl<'a> Search<'a> {
         let width = arena.radius(first).min(arena.radius(last));
         let frame = Frame::new(arena.center(first).into(), arena.center(last).into(), width);
         self.halves.clear();
-        for &portal in &self.path {
+        self.half_owner.clear();
+        for (i, &portal) in self.path.iter().enumerate() {
             let ids = arena.vertices(portal);
             let mut prev = frame.point(arena.point(ids[ids.len() - 1]).floats().into());
             let at = self.halves.len();
             for &v in ids {
                 let next = frame.point(arena.point(v).floats().into());
                 self.halves.push(half(prev, next));
+                self.half_owner.push(i as u8);
                 prev = next;
             }
             self.halves[at..].rotate_left(1);
@@ -296,21 +371,94 @@ impl<'a> Search<'a> {
         }
         let mut norm = self.levels[depth].norm.clone();
         let frame = self.frame();
-        if let Outcome::Inside(x) = norm.search(&self.halves, true)
-            && let Some((foot, d)) = propose_line(&mut self.halves, x)
-            && let Some(line) =
-                self.snap(frame.world_point(foot.into()), frame.world_direction(d.into()), depth)
-        {
-            self.levels[depth].norm = norm;
-            self.stats.proposed += 1;
-            self.accept(depth, line);
-            return true;
+        let mut members = vec![0, depth];
+        if let Outcome::Inside(x) = norm.search(&self.halves, true) {
+            match propose_line(&mut self.halves, x) {
+                Ok((foot, d)) => {
+                    if let Some(line) = self.snap(
+                        frame.world_point(foot.into()),
+                        frame.world_direction(d.into()),
+                        depth,
+                    ) {
+                        self.levels[depth].norm = norm;
+                        self.stats.proposed += 1;
+                        self.accept(depth, line);
+                        return true;
+                    }
+                }
+                Err(set) => {
+                    members.extend(set.iter().map(|&i| self.half_owner[i as usize] as usize));
+                }
+            }
         }
         self.stats.undecided += 1;
-        if std::env::var("DBG").is_ok() {
-            eprintln!("U {} {:?}", self.path.len(), self.path);
+        let t0 = std::time::Instant::now();
+        let open = self.decide_exactly(members);
+        self.stats.t_cone += t0.elapsed().as_secs_f64();
+        if open {
+            self.stats.cone_open += 1;
+            self.accept(depth, Line { p: [f64::NAN; 3], q: [f64::NAN; 3] });
+            self.levels[depth].line = None;
         }
-        false
+        open
+    }
+
+    /// growing subsets of the path
+    fn decide_exactly(&mut self, mut members: Vec<usize>) -> bool {
+        loop {
+            members.sort_unstable();
+            members.dedup();
+            if members.len() < self.path.len() {
+                // floats: does the subset admit a line?
+                let halves: Vec<Half> = self
+                    .halves
+                    .iter()
+                    .zip(&self.half_owner)
+                    .filter(|(_, o)| members.contains(&(**o as usize)))
+                    .map(|(h, _)| *h)
+                    .collect();
+                let mut sub = halves;
+                let mut search = NormPoint::default();
+                if let Outcome::Inside(x) = search.search(&sub, true)
+                    && let Ok((foot, d)) = propose_line(&mut sub, x)
+                {
+                    let foot = DVec3::from(foot);
+                    let m = foot.cross(d.into());
+                    let line: Half = [d[0], d[1], d[2], m.x, m.y, m.z];
+                    // the worst violated portal joins
+                    let worst = self
+                        .halves
+                        .iter()
+                        .zip(&self.half_owner)
+                        .map(|(h, o)| (super::propose::dot(h, &line), *o as usize))
+                        .filter(|(_, o)| !members.contains(o))
+                        .min_by(|a, b| a.0.total_cmp(&b.0))
+                        .unwrap();
+                    members.push(worst.1);
+                    continue;
+                }
+            }
+            let sub: Vec<Directed> = members.iter().map(|&i| self.path[i]).collect();
+            let portals = self.arena.exact_portals(&sub);
+            let refs: Vec<_> = portals.iter().collect();
+            self.stats.cones += 1;
+            self.stats.cone_portals += sub.len() as u64;
+            let Some(_witness) = crate::stab::decide_open(&refs, &[]) else {
+                let last = *sub.last().unwrap();
+                self.nogoods.entry(last).or_default().push(sub[..sub.len() - 1].to_vec());
+                return false;
+            };
+            if members.len() == self.path.len() {
+                return true;
+            }
+            members = (0..self.path.len()).collect();
+        }
+    }
+
+    fn is_nogood(&self, next: Directed) -> bool {
+        self.nogoods
+            .get(&next)
+            .is_some_and(|list| list.iter().any(|set| set.iter().all(|p| self.on_path.has(*p))))
     }
 
     fn snap(&self, foot: DVec3, d: DVec3, depth: usize) -> Option<Line> {
@@ -318,8 +466,8 @@ impl<'a> Search<'a> {
         let p = foot + d * (DVec3::from(self.arena.center(self.path[0])) - foot).dot(d);
         let q = foot + d * (DVec3::from(self.arena.center(self.path[depth])) - foot).dot(d);
         let q = if (q - p).length() < 64.0 { p + d * 64.0 } else { q };
-        for bits in [0, 3, 6, 10, 16, 24] {
-            let s = f64::from(1u32 << bits);
+        for bits in [0, 3, 6, 10, 16, 24, 32, 40] {
+            let s = (1u64 << bits) as f64;
             let line = Line {
                 p: (p * s).round().to_array().map(|c| c / s),
                 q: (q * s).round().to_array().map(|c| c / s),
@@ -332,20 +480,15 @@ impl<'a> Search<'a> {
     }
 
     fn confirm_portal(&self, line: &Line, portal: Directed) -> bool {
-        let ids = self.arena.vertices(portal);
         let line = FilteredLine::through(
             &Approx3::exact(line.p),
             &Approx3::exact(line.q),
             self.arena.bound(),
         );
-        (0..ids.len()).all(|i| {
-            let edge = FilteredLine::through(
-                self.arena.point(ids[i]),
-                self.arena.point(ids[(i + 1) % ids.len()]),
-                self.arena.bound(),
-            );
-            line.side_of_edge(&edge) == Some(crate::num::Sign::Positive)
-        })
+        self.arena
+            .edges(portal)
+            .iter()
+            .all(|edge| line.side_of_edge(edge) == Some(crate::num::Sign::Positive))
     }
 
     fn accept(&mut self, depth: usize, line: Line) {
@@ -358,5 +501,51 @@ impl<'a> Search<'a> {
                 self.found.push((cell, self.path[..=i].to_vec(), line));
             }
         }
+    }
+}
+
+#[derive(Default)]
+struct Hints {
+    n: [Vec<f64>; 3],
+    d: Vec<f64>,
+}
+impl Hints {
+    fn clear(&mut self) {
+        for v in &mut self.n {
+            v.clear();
+        }
+        self.d.clear();
+    }
+    fn push(&mut self, p: &Plane) {
+        let (n, d) = p.hint();
+        for i in 0..3 {
+            self.n[i].push(n[i]);
+        }
+        self.d.push(d);
+    }
+    fn any_behind(&self, c: [f64; 3], check: impl Fn(usize) -> bool) -> bool {
+        let n = self.d.len();
+        let (x, y, z, d) = (&self.n[0][..n], &self.n[1][..n], &self.n[2][..n], &self.d[..n]);
+        let mut i = 0;
+        while i + 8 <= n {
+            let mut least = [0.0f64; 8];
+            for k in 0..8 {
+                least[k] = x[i + k] * c[0] + y[i + k] * c[1] + z[i + k] * c[2] - d[i + k];
+            }
+            if least.iter().any(|&v| v <= 0.0) {
+                for k in 0..8 {
+                    if least[k] <= 0.0 && check(i + k) {
+                        return true;
+                    }
+                }
+            }
+            i += 8;
+        }
+        for k in i..n {
+            if x[k] * c[0] + y[k] * c[1] + z[k] * c[2] - d[k] <= 0.0 && check(k) {
+                return true;
+            }
+        }
+        false
     }
 }

@@ -5,7 +5,7 @@
 //! crossed both: whatever the line meets after the second portal has a part strictly in front
 //! (Teller 1992, §8.3.5). No derived point is needed, so each test is one exact sign of degree 3.
 
-use super::arena::{Arena, Directed, Plane};
+use super::arena::{Arena, Directed, Plane, PlaneKey};
 use crate::num::Sign;
 use rustc_hash::FxHashMap;
 
@@ -38,14 +38,8 @@ fn supporting(
     own: &[u32],
 ) -> Option<Plane> {
     let off_edge = |w: &&u32| **w != u && **w != v;
-    let mut best: Option<(u32, Plane)> = None;
-    for &w in polygon.iter().filter(off_edge) {
-        if best.as_ref().is_none_or(|(_, plane)| arena.side(plane, w) == outside) {
-            // A vertex on the edge's own line spans no plane with it.
-            best = Some((w, arena.plane([u, v, w]))).filter(|(_, plane)| !plane.is_null());
-        }
-    }
-    let (touched, plane) = best?;
+    let touched = supporting_vertex(arena, [u, v], polygon, outside)?;
+    let plane = arena.plane([u, v, touched]);
     let holds = |w: &u32, side: Sign| match arena.side(&plane, *w) {
         // On the plane counts for either side: a touching polygon is still separated.
         Sign::Zero => true,
@@ -58,30 +52,77 @@ fn supporting(
     separates.then_some(plane)
 }
 
+/// Proposes the vertex of `polygon` that no other is beyond, turning about the edge, in floats.
+fn supporting_vertex(
+    arena: &Arena,
+    [u, v]: [u32; 2],
+    polygon: &[u32],
+    outside: Sign,
+) -> Option<u32> {
+    let at = |w: u32| glam::DVec3::from(arena.point(w).floats());
+    let (origin, sense) = (at(u), if outside == Sign::Positive { 1.0 } else { -1.0 });
+    let along = (at(v) - origin) * sense;
+    let mut best = None;
+    let mut normal = glam::DVec3::ZERO;
+    for &w in polygon.iter().filter(|&&w| w != u && w != v) {
+        let towards = at(w) - origin;
+        // The first vertex off the edge's own line, and then each that is beyond the best.
+        if best.is_none() || normal.dot(towards) > 0.0 {
+            let turned = along.cross(towards);
+            if turned != glam::DVec3::ZERO {
+                best = Some(w);
+                normal = turned;
+            }
+        }
+    }
+    best
+}
+
 /// Separating planes of pairs already met: the portals of a path meet the same portals again and
-/// again as the search backtracks.
+/// again as the search backtracks, and the same few planes separate most of them.
 #[derive(Default)]
 pub(crate) struct SeparatorCache {
     spans: FxHashMap<(Directed, Directed), (u32, u32)>,
+    /// The planes of each span, as indices of `planes`.
+    members: Vec<u32>,
     planes: Vec<Plane>,
+    ids: FxHashMap<PlaneKey, u32>,
+    found: Vec<Plane>,
 }
 
-/// The most planes kept: 32 MiB a thread.
-const CACHED_PLANES: usize = 1 << 19;
-
 impl SeparatorCache {
-    /// The separating planes of the pair.
-    pub fn get(&mut self, arena: &Arena, first: Directed, second: Directed) -> &[Plane] {
-        if self.planes.len() > CACHED_PLANES {
-            self.spans.clear();
-            self.planes.clear();
+    /// The separating planes of the pair, by their ids.
+    pub fn get(&mut self, arena: &Arena, first: Directed, second: Directed) -> &[u32] {
+        let (start, end) = match self.spans.get(&(first, second)) {
+            Some(&span) => span,
+            None => self.add(arena, first, second),
+        };
+        &self.members[start as usize..end as usize]
+    }
+
+    fn add(&mut self, arena: &Arena, first: Directed, second: Directed) -> (u32, u32) {
+        let start = self.members.len() as u32;
+        self.found.clear();
+        separators(arena, first, second, &mut self.found);
+        for plane in &self.found {
+            let id = *self.ids.entry(plane.key()).or_insert_with(|| {
+                self.planes.push(*plane);
+                self.planes.len() as u32 - 1
+            });
+            self.members.push(id);
         }
-        let planes = &mut self.planes;
-        let &mut (start, end) = self.spans.entry((first, second)).or_insert_with(|| {
-            let start = planes.len() as u32;
-            separators(arena, first, second, planes);
-            (start, planes.len() as u32)
-        });
-        &self.planes[start as usize..end as usize]
+        let span = (start, self.members.len() as u32);
+        self.spans.insert((first, second), span);
+        span
+    }
+
+    /// The plane of an id.
+    pub fn plane(&self, id: u32) -> &Plane {
+        &self.planes[id as usize]
+    }
+
+    /// How many ids there are.
+    pub fn len(&self) -> usize {
+        self.planes.len()
     }
 }

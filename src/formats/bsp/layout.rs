@@ -165,9 +165,10 @@ pub(super) fn int(bytes: &[u8], at: usize) -> i32 {
     i32::from_le_bytes(word)
 }
 
-/// A count, if it is not negative and not above `limit`.
+/// A count of rows, if it is positive and not above `limit`.
 pub(super) fn count(stated: i32, limit: usize) -> Result<usize, BspErrorKind> {
     match usize::try_from(stated) {
+        Ok(0) => Err(BspErrorKind::NoVisibility),
         Ok(count) if count <= limit => Ok(count),
         _ => Err(BspErrorKind::Count { got: stated.into(), limit }),
     }

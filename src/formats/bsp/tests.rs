@@ -102,6 +102,12 @@ fn a_level_without_visibility_gets_some() {
 }
 
 #[test]
+fn a_level_without_leafs_is_not_written() {
+    let error = write_visibility(&quake(b"BSP2", 44, 0, &[0], &[]), &BitMatrix::new(0));
+    assert_eq!(error.unwrap_err().kind, BspErrorKind::NoVisibility);
+}
+
+#[test]
 fn long_runs_of_zeros_are_split() {
     let leafs = 8 * 600;
     let level = quake(b"BSP2", 44, leafs, &[0, 255, 0, 255, 0, 90], &vec![0; leafs]);
@@ -170,6 +176,7 @@ fn a_broken_rule_is_named_with_its_byte() {
     assert!(patched(8 + 8 * 14, 63).contains("the lump of models has 63 bytes"));
     assert!(patched(models + 52, 12).contains("12 leafs or clusters with visibility"));
     assert!(patched(models + 52, -1).contains("-1 leafs or clusters with visibility"));
+    assert!(patched(models + 52, 0).contains("the level has no visibility data"));
     let row = leafs + 28 + 4;
     assert!(patched(row, 5).contains("the row of leaf or cluster 0 begins at 5"));
     assert!(patched(row, -2).contains("the row of leaf or cluster 0 begins at -2"));

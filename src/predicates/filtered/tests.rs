@@ -180,7 +180,11 @@ fn what_lies_outside_the_bound_is_never_decided() {
         let bound = Bound::of(&points);
         let [a, b, c] = &points;
         assert_eq!(
-            FilteredPlane::through(a, b, c, bound).errors.map(|e| (0.0..1.0).contains(&e)),
+            {
+                let plane = FilteredPlane::through(a, b, c, bound);
+                Held::ALL.map(|t| plane.scale().error(t, bound.b))
+            }
+            .map(|e| (0.0..1.0).contains(&e)),
             [false; 3]
         );
     }

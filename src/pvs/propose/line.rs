@@ -10,7 +10,7 @@ use super::norm::{Half, NormPoint, Outcome, dot};
 /// A proposed line: a point and a direction, in the frame of the half-spaces.
 pub(crate) type LineSearch = ([f64; 3], [f64; 3]);
 
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 24;
 
 fn swapped(x: &Half) -> Half {
     [x[3], x[4], x[5], x[0], x[1], x[2]]
@@ -21,41 +21,76 @@ fn quadric(x: &Half) -> f64 {
     x[0] * x[3] + x[1] * x[4] + x[2] * x[5]
 }
 
-/// Proposes a line near `x` that is on the positive side of all `halves`.
+/// Proposes a line near `x` that is on the positive side of all `halves`; failing that, the
+/// indices of the half-spaces that keep it off the quadric.
 ///
 /// A half-space is an edge as (moment, direction), a line x as (direction, moment).
-pub(crate) fn propose_line(halves: &mut Vec<Half>, x: Half) -> Option<LineSearch> {
+pub(crate) fn propose_line(halves: &mut Vec<Half>, x: Half) -> Result<LineSearch, Vec<u32>> {
     let count = halves.len();
     let line = search(halves, x);
     halves.truncate(count);
     line
 }
 
-fn search(halves: &mut Vec<Half>, mut x: Half) -> Option<LineSearch> {
+fn search(halves: &mut Vec<Half>, mut x: Half) -> Result<LineSearch, Vec<u32>> {
     let count = halves.len();
+    let mut weight: Half = [0.0; 6];
+    for half in halves.iter() {
+        for (w, h) in weight.iter_mut().zip(half) {
+            *w += h;
+        }
+    }
+    let mut goal = 0.0;
+    let mut blocking = Vec::new();
     for _ in 0..ROUNDS {
         if let Some(line) = on_quadric(&halves[..count], &x) {
-            return Some(line);
+            return Ok(line);
         }
         let q = quadric(&x);
         let polar = swapped(&x);
-        let scale = -q.signum() / dot(&polar, &polar).sqrt();
+        let level = goal * 2.0 * q.abs() / dot(&weight, &x);
+        let mut cut = [0.0; 6];
+        for ((c, p), w) in cut.iter_mut().zip(&polar).zip(&weight) {
+            *c = level * w - q.signum() * p;
+        }
+        let norm = dot(&cut, &cut).sqrt();
         halves.truncate(count);
-        halves.push(polar.map(|c| c * scale));
-        let Outcome::Inside(y) = NormPoint::default().search(halves, true) else { return None };
+        halves.push(cut.map(|c| c / norm));
+        let y = match NormPoint::default().search(halves, true) {
+            Outcome::Inside(y) => y,
+            Outcome::Excluded(set) => {
+                blocking = set.iter().map(|s| s.0).filter(|&i| (i as usize) < count).collect();
+                goal = 0.5 * (1.0 + goal);
+                if goal > 0.99 {
+                    return Err(blocking);
+                }
+                continue;
+            }
+        };
         // Q(x + t y) = q + b t + a t^2
         let (a, b) = (quadric(&y), dot(&y, &polar));
-        let disc = b * b - 4.0 * a * q;
-        let t = if disc >= 0.0 { 2.0 * q / (-b - disc.sqrt().copysign(b)) } else { -b / (2.0 * a) };
-        let t =
-            if disc >= 0.0 && !(t > 0.0) { -(b + disc.sqrt().copysign(b)) / (2.0 * a) } else { t };
-        for (x, y) in x.iter_mut().zip(&y) {
-            *x += t * y;
+        match crossing(q, b, a) {
+            Some(t) => {
+                for (x, y) in x.iter_mut().zip(&y) {
+                    *x += t * y;
+                }
+            }
+            None => x = y,
         }
         let norm = dot(&x, &x).sqrt();
         x = x.map(|c| c / norm);
     }
-    None
+    on_quadric(&halves[..count], &x).ok_or(blocking)
+}
+
+/// A positive root of q + b t + a t^2.
+fn crossing(q: f64, b: f64, a: f64) -> Option<f64> {
+    let discriminant = b * b - 4.0 * a * q;
+    if !(discriminant >= 0.0) {
+        return None;
+    }
+    let s = -0.5 * (b + discriminant.sqrt().copysign(b));
+    [q / s, s / a].into_iter().filter(|t| t.is_finite() && *t > 0.0).min_by(f64::total_cmp)
 }
 
 /// The line of x with its moment made orthogonal to its direction, if it is inside.

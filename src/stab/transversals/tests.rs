@@ -6,7 +6,7 @@ type Points = [[i64; 3]; 2];
 
 fn line([p, q]: Points) -> BigLine {
     let point = |p: [i64; 3]| BigPoint3 { coordinates: p.map(Int::from) };
-    BigLine::through(&point(p), &point(q)).unwrap()
+    BigLine::through(&point(p), &point(q))
 }
 
 fn solve(points: &[Points]) -> Transversals {
