@@ -9,6 +9,7 @@ mod cone;
 mod engine;
 mod extremal;
 mod grazing;
+pub mod hourglass;
 mod line;
 mod mask;
 mod quadric;
