@@ -44,6 +44,9 @@ impl Ring for f64 {
     fn narrow_to_int(_: &f64) -> Int {
         unimplemented!("floats are not converted")
     }
+    fn zero_or_one(one: bool) -> f64 {
+        f64::from(u8::from(one))
+    }
     fn narrow_is_zero(value: &f64) -> bool {
         *value == 0.0
     }

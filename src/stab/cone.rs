@@ -175,11 +175,12 @@ impl<R: Ring> Cone<R> {
     fn cut(&mut self, row: &[R::Narrow; 6], signs: &[Sign]) {
         let bit = self.rows.len();
         self.rows.push(row.clone());
+        let blocks = self.blocks();
         let of = |sign: Sign| (0..signs.len()).filter(move |&i| signs[i] == sign);
         let mut fresh = Vec::new();
         for i in of(Sign::Positive) {
             for j in of(Sign::Negative) {
-                if let Some(common) = self.face_between(i, j) {
+                if let Some(common) = self.face_between(i, j, &blocks) {
                     fresh.push(self.crossing(i, j, &common, bit));
                 }
             }
@@ -201,15 +202,35 @@ impl<R: Ring> Cone<R> {
         self.rays.append(&mut fresh);
     }
 
-    /// The rows on which both rays are tight, where the rays span a 2-face.
-    pub(super) fn face_between(&self, i: usize, j: usize) -> Option<Mask> {
-        let common = self.rays[i].tight.intersection(&self.rays[j].tight);
+    /// The rows on which both rays are tight, where the rays span a 2-face. `blocks` are the rays'
+    /// tight rows ([`Cone::blocks`]).
+    pub(super) fn face_between(&self, i: usize, j: usize, blocks: &[u128]) -> Option<Mask> {
         // A 2-face, modulo the lineality space, is the zero of 4 - k independent rows.
-        if common.len() + self.lineality.len() < 4 {
-            return None;
-        }
-        let mut others = self.rays.iter().enumerate().filter(|&(k, _)| k != i && k != j);
-        (!others.any(|(_, ray)| common.is_subset_of(&ray.tight))).then_some(common)
+        let (first, second) = (&self.rays[i].tight, &self.rays[j].tight);
+        let needed = 4usize.saturating_sub(self.lineality.len());
+        let tight_on_both = match (blocks.get(i), blocks.get(j)) {
+            (Some(first), Some(second)) => {
+                let common = first & second;
+                if (common.count_ones() as usize) < needed {
+                    return None;
+                }
+                blocks.iter().filter(|&&block| common & !block == 0).take(3).count()
+            }
+            _ => {
+                let common = first.intersection(second);
+                if common.len() < needed {
+                    return None;
+                }
+                self.rays.iter().filter(|ray| common.is_subset_of(&ray.tight)).take(3).count()
+            }
+        };
+        // The two rays themselves, and no third one.
+        (tight_on_both == 2).then(|| first.intersection(second))
+    }
+
+    /// The tight rows of each ray, side by side; empty where there are more than 128 rows.
+    pub(super) fn blocks(&self) -> Vec<u128> {
+        self.rays.iter().map(|ray| ray.tight.one_block()).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// The ray in which row `bit` cuts the 2-face between rays `i` (positive) and `j` (negative).
@@ -245,10 +266,7 @@ impl<R: Ring> Cone<R> {
 
     /// The exterior product of some rows and of the unit vectors of some coordinates.
     fn product(&self, rows: impl Iterator<Item = usize>, free: &[usize]) -> Wedge<R> {
-        let unit = |i: usize| {
-            let zero_or_one = |j: usize| crate::num::Int::from(u8::from(i == j));
-            std::array::from_fn(|j| R::narrow(&zero_or_one(j)).expect("0 and 1 always fit"))
-        };
+        let unit = |i: usize| std::array::from_fn(|j| R::zero_or_one(i == j));
         let units = free.iter().map(|&i| unit(i));
         let rows = rows.map(|row| self.rows[row].clone());
         let product = units.chain(rows).try_fold(Wedge::empty(), |w, row| w.extended(&row));

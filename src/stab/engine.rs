@@ -136,7 +136,8 @@ impl Engine {
         fn pairs<R: Ring>(cone: &Cone<R>) -> Vec<[usize; 2]> {
             let count = cone.rays().len();
             let all = (0..count).flat_map(|i| (i + 1..count).map(move |j| [i, j]));
-            all.filter(|&[i, j]| cone.face_between(i, j).is_some()).collect()
+            let blocks = cone.blocks();
+            all.filter(|&[i, j]| cone.face_between(i, j, &blocks).is_some()).collect()
         }
         each!(self, cone => pairs(cone))
     }
