@@ -22,6 +22,7 @@ mod arena;
 mod bits;
 mod bounds;
 mod decide;
+mod grazing;
 mod grid;
 mod part;
 mod propose;
@@ -29,11 +30,14 @@ mod run;
 mod search;
 mod separators;
 mod sightline;
+mod tree;
 
+pub use grazing::classify_grazing;
 pub use part::{Part, PartError, PartHeader};
 pub use run::{Explanation, Finished, Options, Shard, compute, explain};
 pub use search::{DeadEnd, DeadEnds};
 pub use sightline::Sightline;
+pub use tree::{StabNode, StabTree, stab_trees};
 
 use crate::report::{Matrix, PairWitness, Verdict};
 use crate::scene::{CellId, PortalGraph};

@@ -90,7 +90,11 @@ pub fn explain(
         only.insert(target.0);
         search.row(source.cell, only)?;
         let dead_ends = search.dead_ends();
-        return Some(Explanation::Refuted(if is_forward { dead_ends } else { dead_ends.reversed() }));
+        return Some(Explanation::Refuted(if is_forward {
+            dead_ends
+        } else {
+            dead_ends.reversed()
+        }));
     };
     Some(Explanation::Open(if is_forward { pair } else { pair.reversed(CellId(to.0)) }))
 }

@@ -385,4 +385,3 @@ impl Tally {
         self.cone_open += cone_open;
     }
 }
-
