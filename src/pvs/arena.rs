@@ -15,6 +15,7 @@ use crate::scene::{CellOrder, PortalGraph, PortalId};
 use crate::stab::Portal3;
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
 
 /// A portal with a direction of crossing.
 pub(crate) type Directed = u32;
@@ -66,6 +67,36 @@ struct Span {
     to: u32,
 }
 
+/// A directed portal for the exact stabber, made when it is first asked for.
+#[derive(Default)]
+struct ExactPortal {
+    /// In grid units.
+    fine: OnceLock<Portal3>,
+    /// In world units, if its vertices have whole coordinates there.
+    coarse: OnceLock<Option<Portal3>>,
+}
+
+impl ExactPortal {
+    fn fine(&self, arena: &Arena, portal: Directed) -> &Portal3 {
+        self.fine
+            .get_or_init(|| validated(arena.vertices(portal).iter().map(|&v| arena.grid.point(v))))
+    }
+
+    fn coarse(&self, arena: &Arena, portal: Directed) -> Option<&Portal3> {
+        let made = self.coarse.get_or_init(|| {
+            let points = arena.vertices(portal).iter().map(|&v| arena.grid.world_point(v));
+            let points: Option<Vec<BigPoint3>> = points.collect();
+            points.map(|points| validated(points.into_iter()))
+        });
+        made.as_ref()
+    }
+}
+
+fn validated(points: impl Iterator<Item = BigPoint3>) -> Portal3 {
+    let points: Vec<BigPoint3> = points.collect();
+    Portal3::new(&points).expect("a validated graph has planar convex portals")
+}
+
 /// The search's view of a portal graph.
 pub(crate) struct Arena {
     points: Vec<Approx3>,
@@ -78,6 +109,7 @@ pub(crate) struct Arena {
     /// Of each directed portal, three vertices that are not collinear, and their plane.
     planes: Vec<Plane>,
     outlines: Vec<Outline>,
+    exact: Vec<ExactPortal>,
     /// The directed portals by the cell that they leave, and where each cell's begin.
     leaving: Vec<Directed>,
     leaving_of: Vec<u32>,
@@ -101,6 +133,7 @@ impl Arena {
             edges: Vec::new(),
             planes: Vec::new(),
             outlines: Vec::new(),
+            exact: Vec::new(),
             leaving: Vec::new(),
             leaving_of: Vec::new(),
             cells: graph.cells.len() as u32,
@@ -127,6 +160,7 @@ impl Arena {
             self.edges.push(FilteredLine::through(a, b, self.bound));
         }
         self.outlines.push(Outline::of(ids.iter().map(|&v| &self.points[v as usize])));
+        self.exact.push(ExactPortal::default());
         self.planes.push(self.plane(corner));
         let [from, to] = cells;
         self.spans.push(Span { first: first as u32, end: self.ids.len() as u32, from, to });
@@ -255,22 +289,19 @@ impl Arena {
         !self.order.is_implied(PortalId(first / 2), PortalId(second / 2))
     }
 
-    /// The portals of a sequence for the exact stabber, in the coarsest grid that holds them, and
-    /// how many of its units make one world unit, as a ratio of the two numbers returned.
-    pub fn exact_portals(&self, path: &[Directed]) -> (Vec<Portal3>, [Int; 2]) {
-        let polygons: Vec<Vec<BigPoint3>> = path
-            .iter()
-            .map(|&portal| self.vertices(portal).iter().map(|&v| self.grid.point(v)).collect())
-            .collect();
-        let coordinates = polygons.iter().flatten().flat_map(|point| &point.coordinates);
-        let unit = coordinates.fold(Int::ZERO, |divisor, c| divisor.gcd(c)).max(Int::from(1));
-        let portals = polygons.into_iter().map(|polygon| {
-            let coarse =
-                |point: BigPoint3| BigPoint3 { coordinates: point.coordinates.map(|c| c / &unit) };
-            let polygon: Vec<BigPoint3> = polygon.into_iter().map(coarse).collect();
-            Portal3::new(&polygon).expect("a validated graph has planar convex portals")
-        });
-        (portals.collect(), [self.grid.denominator().clone(), unit.clone()])
+    /// The portals of a sequence for the exact stabber, in world units if all of their vertices
+    /// have whole coordinates there (small numbers are quick), else in grid units; and how many of
+    /// these units make one world unit.
+    pub fn exact_portals(&self, path: &[Directed]) -> (Vec<&Portal3>, Int) {
+        let coarse: Option<Vec<&Portal3>> =
+            path.iter().map(|&portal| self.exact[portal as usize].coarse(self, portal)).collect();
+        match coarse {
+            Some(portals) => (portals, Int::from(1)),
+            None => {
+                let fine = |&portal: &Directed| self.exact[portal as usize].fine(self, portal);
+                (path.iter().map(fine).collect(), self.grid.denominator().clone())
+            }
+        }
     }
 
     /// An empty set of directed portals.

@@ -1,7 +1,7 @@
 //! Whether a portal sequence is open: lines proposed and checked, then the exact cone.
 //!
 //! In order of cost: the line of the sequence without its last portal; a line found in floats,
-//! rounded to small numbers and checked; the exact cone (`stab`), first of the few portals that
+//! rounded to small numbers and checked; the exact cone (`stab`), first of the few edges that
 //! seem to block each other (if these let no line through, all together do not either), at last
 //! of the whole sequence. What is known is kept for each portal of the current path and serves
 //! its extensions.
@@ -10,8 +10,8 @@ use super::Tally;
 use super::arena::{Arena, Directed};
 use super::propose::{ConePoint, Proposal, SequenceCone};
 use super::sightline::{Ray, Sightline};
-use crate::num::Rational;
-use crate::stab::{Witness, decide_open};
+use crate::num::Int;
+use crate::stab::{Stabber, Witness, edges_exclude_lines};
 
 /// Whether a sequence is open.
 pub(crate) enum Decision {
@@ -79,9 +79,11 @@ impl<'a> Decider<'a> {
             return Decision::Open(ray.sightline());
         }
         self.cone.set(arena, path);
-        let mut members = vec![0, path.len() - 1];
-        match self.cone.find_line(&mut known.point) {
-            Proposal::Blocking(positions) => members.extend(positions),
+        let mut proposal = self.cone.find_line(&mut known.point);
+        if let Proposal::Blocking(places) = proposal {
+            proposal = self.cone.close(places);
+        }
+        match proposal {
             Proposal::Line(line) => {
                 let mut rays = self.cone.roundings(arena, path, &line);
                 let stabbing =
@@ -92,61 +94,47 @@ impl<'a> Decider<'a> {
                     known.ray = Some(ray);
                     return Decision::Open(line);
                 }
-                members = (0..path.len()).collect();
+            }
+            Proposal::Blocking(places) => {
+                tally.cones += 1;
+                if self.exclude_lines(path, &places) {
+                    return Decision::NotOpen;
+                }
             }
         }
-        self.decide_exactly(path, members, tally)
+        self.decide_exactly(path, tally)
     }
 
-    /// Decides by exact cones: of the `members` of the path, then of more, last of all.
-    fn decide_exactly(
-        &self,
-        path: &[Directed],
-        mut members: Vec<usize>,
-        tally: &mut Tally,
-    ) -> Decision {
-        while members.len() < path.len() {
-            members.sort_unstable();
-            members.dedup();
-            let mut part = self.cone.restricted(&members);
-            if let Proposal::Line(line) = part.find_line(&mut ConePoint::default()) {
-                // These let a line through, it seems; the one it misses most may join them.
-                match self.cone.most_missed(&line, &members) {
-                    Some(missed) => members.push(missed),
-                    None => break,
-                }
-                continue;
-            }
-            let subset: Vec<Directed> = members.iter().map(|&i| path[i]).collect();
-            tally.cones += 1;
-            if self.exact_line(&subset, &[]).is_none() {
-                return Decision::NotOpen;
-            }
-            break;
-        }
-        let ordered = |pair: &[Directed]| self.arena.needs_order(pair[0], pair[1]);
-        let orders: Vec<bool> =
-            std::iter::once(false).chain(path.windows(2).map(ordered)).collect();
+    /// Whether some of the path's edges, given by their places in the cone, let no line through,
+    /// which is proved.
+    fn exclude_lines(&self, path: &[Directed], places: &[usize]) -> bool {
+        let edges: Vec<_> = places.iter().map(|&place| self.cone.edge(place)).collect();
+        let portals: Vec<Directed> = edges.iter().map(|edge| path[edge.position]).collect();
+        let (portals, _) = self.arena.exact_portals(&portals);
+        let edges: Vec<_> =
+            portals.into_iter().zip(&edges).map(|(portal, edge)| (portal, edge.edge)).collect();
+        edges_exclude_lines(&edges)
+    }
+
+    /// Decides by the exact cone of all.
+    fn decide_exactly(&self, path: &[Directed], tally: &mut Tally) -> Decision {
         tally.cones += 1;
-        match self.exact_line(path, &orders) {
+        let (portals, per_world) = self.arena.exact_portals(path);
+        let mut stabber = Stabber::new();
+        for (i, portal) in portals.into_iter().enumerate() {
+            stabber.push(portal, i > 0 && self.arena.needs_order(path[i - 1], path[i]));
+        }
+        match stabber.witness() {
             None => Decision::NotOpen,
             Some(line) => {
                 tally.cone_open += 1;
-                Decision::Open(line)
+                Decision::Open(in_world(line, &per_world))
             }
         }
     }
-
-    /// A line through the portals, exactly, or `None` if there is none.
-    fn exact_line(&self, portals: &[Directed], orders: &[bool]) -> Option<Sightline> {
-        let (portals, [per_world, unit]) = self.arena.exact_portals(portals);
-        let references: Vec<_> = portals.iter().collect();
-        let witness = decide_open(&references, orders)?;
-        Some(in_world(witness, &Rational::new(unit, per_world)))
-    }
 }
 
-fn in_world(witness: Witness, unit: &Rational) -> Sightline {
-    let points = witness.points.map(|point| point.map(|c| c * unit));
+fn in_world(witness: Witness, per_world: &Int) -> Sightline {
+    let points = witness.points.map(|point| point.map(|c| c / per_world));
     Sightline::Rational(Box::new(points))
 }

@@ -66,7 +66,7 @@ struct Touched {
 
 struct Walk<'a> {
     arena: &'a Arena,
-    portals: &'a [Portal3],
+    portals: &'a [&'a Portal3],
     budget: Option<u64>,
     progress: &'a dyn Progress,
     stabber: Stabber,
@@ -85,7 +85,7 @@ enum Ended {
 impl<'a> Walk<'a> {
     fn new(
         arena: &'a Arena,
-        portals: &'a [Portal3],
+        portals: &'a [&'a Portal3],
         budget: Option<u64>,
         progress: &'a dyn Progress,
         wanted: Bits,
@@ -131,7 +131,7 @@ impl<'a> Walk<'a> {
             return Err(Ended::Budget);
         }
         self.visited += 1;
-        self.stabber.push(&self.portals[next as usize], false);
+        self.stabber.push(self.portals[next as usize], false);
         self.crossed.insert(cell);
         let touches = match self.stabber.verdict() {
             stab::Verdict::Open { .. } | stab::Verdict::Grazing { .. } => true,

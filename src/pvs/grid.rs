@@ -55,6 +55,50 @@ impl Grid {
         }
     }
 
+    /// The vertex in world units, if its coordinates are whole there.
+    pub fn world_point(&self, vertex: u32) -> Option<BigPoint3> {
+        let point = self.point(vertex);
+        let is_whole = |c: &Int| (c % &self.denominator) == Int::ZERO;
+        point
+            .coordinates
+            .iter()
+            .all(is_whole)
+            .then(|| BigPoint3 { coordinates: point.coordinates.map(|c| c / &self.denominator) })
+    }
+
+    /// A point of world coordinates `point` · 2^-bits, in units of 2^-bits of the grid's.
+    pub fn fine_point(&self, point: [i64; 3]) -> BigPoint3 {
+        BigPoint3 { coordinates: point.map(|c| &self.denominator * c) }
+    }
+
+    /// The side of the line through two points, of world coordinates `points` · 2^-bits, on which
+    /// an edge passes.
+    pub fn side_of_edge(&self, points: [[i64; 3]; 2], bits: u32, edge: [u32; 2]) -> Sign {
+        if let Some([p, q, u, v]) = self.small_fine(points, bits, edge) {
+            return orient3d_exact(&p, &q, &u, &v, &Budget::FULL);
+        }
+        let [p, q] = points.map(|point| self.fine_point(point));
+        let scale = Int::from(1u64 << bits);
+        let [u, v] = edge.map(|vertex| BigPoint3 {
+            coordinates: self.point(vertex).coordinates.map(|c| c * &scale),
+        });
+        orient3d_big(&p, &q, &u, &v)
+    }
+
+    /// Points and an edge's ends in units of 2^-bits of the grid's, if all are small.
+    fn small_fine(&self, points: [[i64; 3]; 2], bits: u32, edge: [u32; 2]) -> Option<[Point3; 4]> {
+        let Vertices::Small(vertices, _) = &self.vertices else { return None };
+        let denominator = self.denominator.to_i64()?;
+        let scaled = |[x, y, z]: [i64; 3], scale: i64| {
+            let times = |c: i64| c.checked_mul(scale);
+            Point3::new(times(x)?, times(y)?, times(z)?)
+        };
+        let vertex = |v: u32| scaled(vertices[v as usize].integers(), 1i64.checked_shl(bits)?);
+        let [p, q] = points.map(|point| scaled(point, denominator));
+        let [u, v] = edge.map(vertex);
+        Some([p?, q?, u?, v?])
+    }
+
     /// Whether a positive combination of the edges' Plücker vectors vanishes, so that no line is
     /// on the positive side of them all; see [`gordan::exclude_each_other`].
     pub fn exclude_each_other(&self, edges: &[[u32; 2]]) -> bool {

@@ -1,7 +1,6 @@
 //! Sightlines: exact lines that prove pairs open, and their check.
 
 use super::arena::{Arena, Directed};
-use crate::geom::BigPoint3;
 use crate::num::{Int, Number, Rational, Sign};
 use crate::predicates::compare_crossings_big;
 use crate::predicates::filtered::{Approx3, FilteredLine};
@@ -81,14 +80,19 @@ impl Ray {
         Sightline::Dyadic { points: self.points, bits: self.bits }
     }
 
-    /// Whether the line provably crosses the interior of `portal` in its direction. `false` if
-    /// it does not, or by less than the filter sees.
+    /// Whether the line crosses the interior of `portal` in its direction.
     pub fn crosses(&self, arena: &Arena, portal: Directed) -> bool {
-        arena.edges(portal).iter().all(|edge| match self.filter.side_of_edge(edge) {
-            Some(Sign::Positive) => true,
-            // Through the edge itself is grazing, not open.
-            Some(Sign::Zero) => false,
-            Some(Sign::Negative) | None => false,
+        arena.edges(portal).iter().enumerate().all(|(index, filter)| {
+            let side = self.filter.side_of_edge(filter);
+            match side.unwrap_or_else(|| {
+                let ids = arena.vertices(portal);
+                let edge = [ids[index], ids[(index + 1) % ids.len()]];
+                arena.grid().side_of_edge(self.points, self.bits, edge)
+            }) {
+                Sign::Positive => true,
+                // Through the edge itself is grazing, not open.
+                Sign::Zero | Sign::Negative => false,
+            }
         })
     }
 
@@ -100,9 +104,7 @@ impl Ray {
         }
         let scale = Int::from(1u64 << self.bits);
         let planes = [first, second].map(|portal| arena.exact_plane_of(portal, &scale));
-        let [p, q] = self
-            .points
-            .map(|point| BigPoint3 { coordinates: point.map(|c| arena.grid().denominator() * c) });
+        let [p, q] = self.points.map(|point| arena.grid().fine_point(point));
         match compare_crossings_big(&p, &q, &planes[0], &planes[1]) {
             Some(Sign::Positive) => true,
             // Both at one point: the order of crossing is not strict.
@@ -111,7 +113,7 @@ impl Ray {
         }
     }
 
-    /// Whether the line provably stabs the whole path, in order.
+    /// Whether the line stabs the whole path, in order.
     pub fn stabs(&self, arena: &Arena, path: &[Directed]) -> bool {
         path.iter().all(|&portal| self.crosses(arena, portal))
             && path.windows(2).all(|pair| self.keeps_order(arena, pair[0], pair[1]))

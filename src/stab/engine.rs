@@ -6,6 +6,7 @@
 
 use super::cone::{Cone, Push};
 use super::line::ExactLine;
+use super::mask::Mask;
 use super::quadric::{BothSigns, Vector, signs_on_edges};
 use super::ring::Ring;
 use super::stabber::ConeShape;
@@ -110,6 +111,11 @@ impl Engine {
     /// The extreme rays, modulo the lineality space.
     pub(super) fn rays(&self) -> Vec<Vector> {
         each!(self, cone => cone.rays().iter().map(|ray| unbounded(&ray.vector)).collect())
+    }
+
+    /// For each ray, the rows that it is tight on, by the order in which they were pushed.
+    pub(super) fn tight(&self) -> Vec<Mask> {
+        each!(self, cone => cone.rays().iter().map(|ray| ray.tight.clone()).collect())
     }
 
     /// A basis of the lineality space.

@@ -27,5 +27,5 @@ pub use certificate::{Certificate, Condition, ConeSigns, Term};
 pub use extremal::{EdgeName, ExtremalLine};
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
-pub use stabber::{ConeShape, Stabber, Verdict, decide_open};
+pub use stabber::{ConeShape, Stabber, Verdict, decide_open, edges_exclude_lines};
 pub use witness::Witness;

@@ -11,6 +11,7 @@
 
 use super::cone::{Cone, dot};
 use super::engine::unbounded;
+use super::mask::Mask;
 use super::ring::Ring;
 use crate::num::{Int, Sign};
 
@@ -104,18 +105,11 @@ fn extremum([r, s]: &[Vector; 2]) -> Vector {
 
 /// Rule 5: with order half-spaces, a sign may hide in a 3-face whose edges all lack it, behind
 /// three pairwise skew rows. Looks there, for rows that are lines, `ordered` saying which belong to
-/// no polygon.
-pub(super) fn signs_behind_triples(
-    signs: &mut BothSigns,
-    rays: &[Vector],
-    rows: &[(Vector, bool)],
-) {
+/// no polygon, and `tight` for each ray of the cone on which rows it is tight.
+pub(super) fn signs_behind_triples(signs: &mut BothSigns, tight: &[Mask], rows: &[(Vector, bool)]) {
     // A face that hides a whole regulus has at least three rays, all tight on the triple.
-    let on =
-        |row: &Vector| rays.iter().map(|ray| pairing(row, ray) == Int::ZERO).collect::<Vec<_>>();
-    let tight: Vec<Vec<bool>> = rows.iter().map(|(row, _)| on(row)).collect();
     let shared = |triple: &[usize; 3]| {
-        (0..rays.len()).filter(|&ray| triple.iter().all(|&row| tight[row][ray])).count()
+        tight.iter().filter(|ray| triple.iter().all(|&row| ray.contains(row))).count()
     };
     for a in 0..rows.len() {
         for b in a + 1..rows.len() {

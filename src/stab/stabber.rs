@@ -194,7 +194,7 @@ impl Stabber {
     fn signs(&self, cone: &Engine) -> BothSigns {
         let mut signs = cone.signs();
         if !signs.found() && self.levels.iter().skip(1).any(|level| level.ordered) {
-            signs_behind_triples(&mut signs, &cone.rays(), &self.rows());
+            signs_behind_triples(&mut signs, &cone.tight(), &self.rows());
         }
         signs
     }
@@ -221,6 +221,30 @@ pub(super) fn rows_of(
     let edges = (0..portal.vertices().len()).map(|edge| (portal.edge_row(edge, origin), false));
     let order = before.and_then(|before| before.order_row(portal, origin));
     edges.chain(order.map(|(row, _)| (row, true))).collect()
+}
+
+/// Whether no line is strictly on the positive side of all of some portals' edges.
+///
+/// The edges need not be all of a polygon, so rule 5 looks behind every triple of them. Where
+/// their cone contains a line and its opposite, nothing is decided and the answer is `false`.
+pub fn edges_exclude_lines(edges: &[(&Portal3, usize)]) -> bool {
+    let Some((portal, _)) = edges.first() else { return false };
+    let origin = &portal.vertices()[0].coordinates;
+    let rows: Vec<(Vector, bool)> =
+        edges.iter().map(|(portal, edge)| (portal.edge_row(*edge, origin), true)).collect();
+    let range = Range::default().with(rows.iter().map(|(row, _)| row));
+    let mut cone = Engine::everything().widened_for(range);
+    if rows.iter().any(|(row, _)| cone.push(row) != Push::Strict) {
+        return true;
+    }
+    if cone.has_lineality() {
+        return false;
+    }
+    let mut signs = cone.signs();
+    if !signs.found() {
+        signs_behind_triples(&mut signs, &cone.tight(), &rows);
+    }
+    !signs.found()
 }
 
 /// Decides a whole sequence: a witness where it is open, `None` where it is not.

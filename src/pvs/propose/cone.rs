@@ -33,8 +33,19 @@ impl ConePoint {
 /// A proposed line, or what seems to rule all lines out.
 pub(crate) enum Proposal {
     Line(FrameLine),
-    /// Positions in the path of portals that together seem to let no line through.
+    /// Half-spaces that together seem to let no line through, by their places in the cone.
     Blocking(Vec<usize>),
+}
+
+/// The edge of a half-space.
+#[derive(Clone, Copy)]
+pub(crate) struct EdgeOf {
+    /// The portal's position in the path.
+    pub position: usize,
+    /// Which of the portal's edges.
+    pub edge: usize,
+    /// Its vertices.
+    ends: [u32; 2],
 }
 
 /// The half-spaces of the edges of a path's portals, in a frame that suits it.
@@ -42,8 +53,7 @@ pub(crate) enum Proposal {
 pub(crate) struct SequenceCone {
     frame: Frame,
     halves: Vec<Half>,
-    /// The edge of each half-space, and its portal's position in the path.
-    edges: Vec<([u32; 2], u32)>,
+    edges: Vec<EdgeOf>,
 }
 
 impl SequenceCone {
@@ -62,20 +72,39 @@ impl SequenceCone {
                 let v = ids[(i + 1) % ids.len()];
                 let end = if i + 1 == ids.len() { first } else { at(v) };
                 self.halves.push(half(start, end));
-                self.edges.push(([u, v], position as u32));
+                self.edges.push(EdgeOf { position, edge: i, ends: [u, v] });
                 start = end;
             }
         }
     }
 
-    /// The cone of some portals of the path only.
-    pub fn restricted(&self, members: &[usize]) -> SequenceCone {
-        let kept = |i: &usize| members.contains(&(self.edges[*i].1 as usize));
-        let indices: Vec<usize> = (0..self.halves.len()).filter(kept).collect();
-        SequenceCone {
-            frame: self.frame,
-            halves: indices.iter().map(|&i| self.halves[i]).collect(),
-            edges: indices.iter().map(|&i| self.edges[i]).collect(),
+    /// The edge of a half-space.
+    pub fn edge(&self, place: usize) -> EdgeOf {
+        self.edges[place]
+    }
+
+    /// Completes the `blocking` half-spaces until they seem to let no line through; or a line
+    /// that they led to, which seems to be inside all.
+    pub fn close(&self, mut blocking: Vec<usize>) -> Proposal {
+        if blocking.is_empty() {
+            let last = self.edges.last().map_or(0, |edge| edge.position);
+            let is_end = |place: &usize| [0, last].contains(&self.edges[*place].position);
+            blocking = (0..self.edges.len()).filter(is_end).collect();
+        }
+        loop {
+            blocking.sort_unstable();
+            blocking.dedup();
+            let mut some: Vec<Half> = blocking.iter().map(|&i| self.halves[i]).collect();
+            let Ok(line) = find_line(&mut some, &mut NormPoint::default()) else {
+                return Proposal::Blocking(blocking);
+            };
+            let bivector = line.bivector();
+            let sides = self.halves.iter().map(|half| dot(half, &bivector)).enumerate();
+            let missed = sides.filter(|(_, side)| *side <= 0.0).min_by(|a, b| a.1.total_cmp(&b.1));
+            match missed {
+                Some((place, _)) if !blocking.contains(&place) => blocking.push(place),
+                Some(_) | None => return Proposal::Line(line),
+            }
         }
     }
 
@@ -88,32 +117,17 @@ impl SequenceCone {
             }
             Outcome::Excluded(indices) => {
                 point.inside = None;
-                Err(indices.iter().map(|&i| self.edges[i as usize].0).collect())
+                Err(indices.iter().map(|&i| self.edges[i as usize].ends).collect())
             }
         }
     }
 
     /// Looks for a line strictly inside.
     pub fn find_line(&mut self, point: &mut ConePoint) -> Proposal {
-        let blocking = match point.search.search(&self.halves, true) {
-            Outcome::Excluded(indices) => indices,
-            Outcome::Inside(x) => match propose_line(&mut self.halves, x) {
-                Ok(line) => return Proposal::Line(line),
-                Err(indices) => indices,
-            },
-        };
-        Proposal::Blocking(blocking.iter().map(|&i| self.edges[i as usize].1 as usize).collect())
-    }
-
-    /// The position of the portal outside `members` that the line misses most.
-    pub fn most_missed(&self, line: &FrameLine, members: &[usize]) -> Option<usize> {
-        let bivector = line.bivector();
-        let sides = self.halves.iter().zip(&self.edges);
-        let sides = sides.map(|(half, &(_, position))| (dot(half, &bivector), position as usize));
-        sides
-            .filter(|(_, position)| !members.contains(position))
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, position)| position)
+        match find_line(&mut self.halves, &mut point.search) {
+            Ok(line) => Proposal::Line(line),
+            Err(indices) => Proposal::Blocking(indices.iter().map(|&i| i as usize).collect()),
+        }
     }
 
     /// The line by two points near the first and the last portal of `path`, rounded to coarser
@@ -139,6 +153,13 @@ impl SequenceCone {
             let point = |p: DVec3| (p * scale).round().to_array();
             Sightline::dyadic([point(start), point(end)], bits)
         })
+    }
+}
+
+fn find_line(halves: &mut Vec<Half>, search: &mut NormPoint) -> Result<FrameLine, Vec<u32>> {
+    match search.search(halves, true) {
+        Outcome::Excluded(indices) => Err(indices),
+        Outcome::Inside(x) => propose_line(halves, x),
     }
 }
 

@@ -18,10 +18,37 @@ pub(crate) enum Outcome {
 }
 
 /// The state of a search; it may be continued when half-spaces are added.
-#[derive(Clone, Default, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct NormPoint {
-    /// Affinely independent vectors whose hull's least point is the current one.
-    corral: Vec<(u32, f64)>,
+    corral: Corral,
+}
+
+/// Affinely independent vectors whose hull's least point is the current one, with weights.
+#[derive(Clone, Copy, Default, Debug)]
+struct Corral {
+    members: [(u32, f64); 7],
+    count: usize,
+}
+
+impl Corral {
+    fn members(&self) -> &[(u32, f64)] {
+        &self.members[..self.count]
+    }
+
+    fn weights(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.members[..self.count].iter_mut().map(|member| &mut member.1)
+    }
+
+    /// Requires: fewer than seven members.
+    fn push(&mut self, index: u32, weight: f64) {
+        self.members[self.count] = (index, weight);
+        self.count += 1;
+    }
+
+    fn remove(&mut self, place: usize) {
+        self.members[place..self.count].rotate_left(1);
+        self.count -= 1;
+    }
 }
 
 const ROUNDS: usize = 60;
@@ -45,12 +72,13 @@ impl NormPoint {
     /// search ends at the first point that is inside.
     pub fn search(&mut self, halves: &[Half], widest: bool) -> Outcome {
         // The half-spaces may have been scaled since: the corral keeps its members only.
-        let equal = 1.0 / self.corral.len() as f64;
-        self.corral.iter_mut().for_each(|c| c.1 = equal);
+        let equal = 1.0 / self.corral.count as f64;
+        self.corral.weights().for_each(|weight| *weight = equal);
         let mut x = match self.settle(halves) {
             Some(x) => x,
             None => {
-                self.corral = vec![(0, 1.0)];
+                self.corral = Corral::default();
+                self.corral.push(0, 1.0);
                 halves[0]
             }
         };
@@ -63,10 +91,12 @@ impl NormPoint {
             if value > 0.0 && (!widest || value > norm2 * 0.98) {
                 return Outcome::Inside(x);
             }
-            if value >= norm2 * (1.0 - 1e-9) || self.corral.iter().any(|c| c.0 == least) {
+            if value >= norm2 * (1.0 - 1e-9)
+                || self.corral.members().iter().any(|member| member.0 == least)
+            {
                 break;
             }
-            self.corral.push((least, 0.0));
+            self.corral.push(least, 0.0);
             match self.settle(halves) {
                 Some(next) => x = next,
                 None => break,
@@ -77,16 +107,16 @@ impl NormPoint {
     }
 
     fn excluded(&self) -> Outcome {
-        Outcome::Excluded(self.corral.iter().map(|member| member.0).collect())
+        Outcome::Excluded(self.corral.members().iter().map(|member| member.0).collect())
     }
 
     /// Moves the weights to the least point of the corral's hull, dropping what gets no weight.
     fn settle(&mut self, halves: &[Half]) -> Option<Half> {
-        while !self.corral.is_empty() {
-            let (target, x) = affine_least(halves, &self.corral)?;
+        while self.corral.count > 0 {
+            let (target, x) = affine_least(halves, self.corral.members())?;
             let mut step = 1.0f64;
             let mut blocking = None;
-            for (i, (&(_, now), &then)) in self.corral.iter().zip(&target).enumerate() {
+            for (i, (&(_, now), &then)) in self.corral.members().iter().zip(&target).enumerate() {
                 if then <= 1e-14 {
                     let reach = now / (now - then);
                     if blocking.is_none() || reach < step {
@@ -95,7 +125,7 @@ impl NormPoint {
                     }
                 }
             }
-            for ((_, now), then) in self.corral.iter_mut().zip(&target) {
+            for (now, then) in self.corral.weights().zip(&target) {
                 *now += step * (then - *now);
             }
             match blocking {
