@@ -224,7 +224,7 @@ fn draw_sights(svg: &mut String, sights: &[Vec<Sight>]) {
 }
 
 fn draw_table(svg: &mut String, graph: &PortalGraph, sights: &[Vec<Sight>]) {
-    let (left, top, size) = (700., 130., 24.);
+    let (left, top, size) = (710., 130., 24.);
     let mut counts = [0; 3];
     for (a, name) in graph.cells.iter().enumerate() {
         let [x, y] = [left + size * a as f64, top + size * a as f64];
@@ -265,9 +265,9 @@ fn draw_table(svg: &mut String, graph: &PortalGraph, sights: &[Vec<Sight>]) {
     }
     let [open, grazing, blocked] = counts;
     let legend = [
-        (OPEN, format!("open: {open} pairs, each with a line")),
-        (GRAZING, format!("grazing: {grazing} pairs, lines only touch")),
-        (BLOCKED, format!("blocked: {blocked} pairs, proved by weights")),
+        (OPEN, format!("open: {open} pairs, each with a sightline")),
+        (GRAZING, format!("grazing: {grazing}, lines only touch")),
+        (BLOCKED, format!("blocked: {blocked}")),
         ("#54aeff", "window under the ceiling".to_owned()),
     ];
     for (row, (color, text)) in legend.iter().enumerate() {
@@ -305,10 +305,10 @@ fn picture() -> String {
     let graph = read_graph("gallery_nine_rooms.json", SCENE.as_bytes()).expect("a valid scene");
     let sights = all_sights(&graph);
     let mut svg = String::from(concat!(
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 940 580" width="940" height="580" "##,
+        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 580" width="960" height="580" "##,
         r##"font-family="sans-serif" font-size="13" fill="#24292f">"##,
         "\n",
-        r##"<rect width="940" height="580" fill="#f6f8fa"/>"##,
+        r##"<rect width="960" height="580" fill="#f6f8fa"/>"##,
         "\n",
     ));
     draw_rooms(&mut svg, &graph);
@@ -320,4 +320,37 @@ fn picture() -> String {
 
 fn main() {
     print!("{}", picture());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_picture_is_up_to_date() {
+        assert_eq!(picture(), include_str!("../docs/picture.svg"), "run the example again");
+    }
+
+    #[test]
+    fn every_portal_lies_on_the_outlines_of_both_its_rooms() {
+        let graph = read_graph("gallery", SCENE.as_bytes()).unwrap();
+        let on_edge = |outline: &[[f64; 2]], [x, y]: [f64; 2]| {
+            (0..outline.len()).any(|i| {
+                let ([ax, ay], [bx, by]) = (outline[i], outline[(i + 1) % outline.len()]);
+                // Doors lie on walls along x or y, whose outlines are whole numbers.
+                (ax == bx && x == ax && (y - ay) * (y - by) <= 0.)
+                    || (ay == by && y == ay && (x - ax) * (x - bx) <= 0.)
+            })
+        };
+        for portal in &graph.portals {
+            for &vertex in &portal.vertices {
+                let corner = &graph.vertices[vertex as usize].coordinates;
+                let point = from_above(&graph, corner.each_ref().map(|c| c.to_f64().unwrap()));
+                for room in [portal.from, portal.to] {
+                    let name = &graph.cells[room.0 as usize];
+                    assert!(on_edge(OUTLINES[room.0 as usize], point), "{name} {point:?}");
+                }
+            }
+        }
+    }
 }
