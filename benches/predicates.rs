@@ -4,8 +4,8 @@
 //! The inputs are pools of points, lines and planes that fit the first cache, asked about in a
 //! random order too long for a branch predictor to learn. After criterion's own report (or alone,
 //! with `cargo bench --bench predicates -- --table`) a table of ratios to plain floats is
-//! printed: the median over rounds in which the variants take turns, so that what else runs on
-//! the machine slows all of them. |coordinates| <= 2^20 unless said otherwise.
+//! printed: of each variant's least time over a hundred rounds in which the variants take turns,
+//! so that what else runs on the machine disturbs the least. |coordinates| <= 2^20 unless said otherwise.
 
 use criterion::Criterion;
 use stabline::geom::{Line, Plane, Point2, Point3};
@@ -46,8 +46,8 @@ enum Data {
 }
 
 /// Pairs of points, the end points of edges.
-fn edges(data: Data) -> Vec<[Point3; 2]> {
-    let (mut random, c) = (Random(1), 1i64 << BITS);
+fn edges(data: Data, bits: u32) -> Vec<[Point3; 2]> {
+    let (mut random, c) = (Random(1), 1i64 << bits);
     let levels = [(); 3].map(|()| [(); 6].map(|()| random.within(c)));
     let mut axial = || [0, 1, 2].map(|k: usize| levels[k][random.below(6) as usize]);
     let mut edges: Vec<[[i64; 3]; 2]> = Vec::new();
@@ -75,8 +75,11 @@ fn edges(data: Data) -> Vec<[Point3; 2]> {
     edges.into_iter().map(|[p, q]| [point(p), point(q)]).collect()
 }
 
-/// Four different places of the pool, over and over.
-fn queries() -> Vec<[u16; 4]> {
+/// Four different places of the pool.
+type Query = [u16; 4];
+
+/// Queries enough that no branch predictor learns their answers.
+fn queries() -> Vec<Query> {
     let mut random = Random(3);
     let mut query = || {
         let mut places = [0u16; 4];
@@ -90,11 +93,14 @@ fn queries() -> Vec<[u16; 4]> {
     (0..QUERIES).map(|_| query()).collect()
 }
 
+/// Answers queries; the sum of the signs.
+type Run<'a> = Box<dyn Fn(&[Query]) -> i64 + 'a>;
+
 /// One way to answer all queries; slow ones answer only the first few.
 struct Variant<'a> {
     name: &'static str,
     queries: usize,
-    run: Box<dyn Fn(&[[u16; 4]]) -> i64 + 'a>,
+    run: Run<'a>,
 }
 
 /// A variant whose answer is an expression in the four places of a query.
@@ -129,29 +135,17 @@ fn report(criterion: &mut Option<Criterion>, group: &str, variants: &[Variant]) 
         group.finish();
         return;
     }
-    let mut ratios = vec![Vec::new(); variants.len()];
-    let mut nanoseconds = Vec::new();
-    for _ in 0..61 {
-        let times: Vec<f64> = variants
-            .iter()
-            .map(|variant| {
-                let start = Instant::now();
-                black_box((variant.run)(black_box(&queries[..variant.queries])));
-                start.elapsed().as_nanos() as f64 / variant.queries as f64
-            })
-            .collect();
-        for (ratio, time) in ratios.iter_mut().zip(&times) {
-            ratio.push(time / times[0]);
+    let mut least = vec![f64::INFINITY; variants.len()];
+    for _ in 0..101 {
+        for (least, variant) in least.iter_mut().zip(variants) {
+            let start = Instant::now();
+            black_box((variant.run)(black_box(&queries[..variant.queries])));
+            *least = least.min(start.elapsed().as_nanos() as f64 / variant.queries as f64);
         }
-        nanoseconds.push(times[0]);
     }
-    let median = |values: &mut Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
-    };
-    print!("{group:34} plain {:.2} ns |", median(&mut nanoseconds));
-    for (variant, ratio) in variants.iter().zip(&mut ratios).skip(1) {
-        print!(" {} {:.2} |", variant.name, median(ratio));
+    print!("{group:34} plain {:.2} ns |", least[0]);
+    for (variant, time) in variants.iter().zip(&least).skip(1) {
+        print!(" {} {:.2} |", variant.name, time / least[0]);
     }
     println!();
 }
@@ -177,10 +171,10 @@ fn rational_determinant(points: [&[Rational; 3]; 4]) -> Sign {
     Sign::of(&(minor(1, 2) * &w[0] + minor(2, 0) * &w[1] + minor(0, 1) * &w[2]))
 }
 
-fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let wide = black_box(Budget::for_bits(33));
-    let points: Vec<Point3> = edges(data).into_iter().map(|[p, _]| p).collect();
+    let points: Vec<Point3> = edges(data, bits).into_iter().map(|[p, _]| p).collect();
     let floats: Vec<[f64; 3]> = points.iter().map(Point3::floats).collect();
     let rationals: Vec<[Rational; 3]> =
         points.iter().map(|p| p.integers().map(|c| Rational::from(Int::from(c)))).collect();
@@ -234,12 +228,16 @@ fn bench_points(criterion: &mut Option<Criterion>, name: &str, data: Data) {
     report(criterion, &format!("compare_along_line/{name}"), &list);
 }
 
-fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let (off, wide) = (budget.without_filters(), black_box(Budget::for_bits(33)));
-    let edges = edges(data);
-    let lines: Vec<Line> = edges.iter().map(|[p, q]| Line::through(p, q)).collect();
-    let floats: Vec<([f64; 3], [f64; 3])> = lines.iter().map(|line| *line.floats()).collect();
+    let edges = edges(data, bits);
+    let lines: Vec<Line> =
+        edges.iter().map(|[p, q]| Line::through(p, q).expect("within the range")).collect();
+    let floats: Vec<([f64; 3], [f64; 3])> = lines
+        .iter()
+        .map(|line| (line.paired_direction().map(|[d, _]| d), line.moment().map(|m| m as f64)))
+        .collect();
     let theirs: Vec<[robust::Coord3D<f64>; 2]> = edges
         .iter()
         .map(|edge| edge.map(|p| p.floats()).map(|[x, y, z]| robust::Coord3D { x, y, z }))
@@ -259,10 +257,10 @@ fn bench_lines(criterion: &mut Option<Criterion>, name: &str, data: Data) {
     report(criterion, &format!("side_of_lines/{name}"), &list);
 }
 
-fn bench_planes(criterion: &mut Option<Criterion>, name: &str, data: Data) {
-    let budget = black_box(Budget::for_bits(BITS));
+fn bench_planes(criterion: &mut Option<Criterion>, name: &str, data: Data, bits: u32) {
+    let budget = black_box(Budget::for_bits(bits));
     let off = budget.without_filters();
-    let edges = edges(data);
+    let edges = edges(data, bits);
     let points: Vec<Point3> = edges.iter().map(|[p, _]| *p).collect();
     let planes: Vec<Plane> = edges
         .iter()
@@ -324,7 +322,8 @@ fn bench_filtered(criterion: &mut Option<Criterion>, name: &str, data: Data, int
         let scaled = p.floats().map(|c| c / 256.0);
         if integers { Approx3::exact(scaled.map(f64::floor)) } else { Approx3::rounded(scaled) }
     };
-    let points: Vec<[Approx3; 2]> = edges(data).iter().map(|[p, q]| [world(p), world(q)]).collect();
+    let points: Vec<[Approx3; 2]> =
+        edges(data, BITS).iter().map(|[p, q]| [world(p), world(q)]).collect();
     let bound = Bound::of(points.as_flattened());
     let lines: Vec<FilteredLine> =
         points.iter().map(|[p, q]| FilteredLine::through(p, q, bound)).collect();
@@ -360,14 +359,16 @@ fn main() {
     let passes = if table_only { vec![None] } else { vec![Some(criterion()), None] };
     for mut criterion in passes {
         let data = [
-            ("random", Data::Random),
-            ("aligned", Data::Aligned),
-            ("near-degenerate", Data::NearlyDegenerate),
+            ("random", Data::Random, BITS),
+            ("aligned", Data::Aligned, BITS),
+            ("near-degenerate", Data::NearlyDegenerate, BITS),
+            ("random, 16 bits", Data::Random, 16),
+            ("aligned, 16 bits", Data::Aligned, 16),
         ];
-        for (name, data) in data {
-            bench_points(&mut criterion, name, data);
-            bench_lines(&mut criterion, name, data);
-            bench_planes(&mut criterion, name, data);
+        for (name, data, bits) in data {
+            bench_points(&mut criterion, name, data, bits);
+            bench_lines(&mut criterion, name, data, bits);
+            bench_planes(&mut criterion, name, data, bits);
         }
         bench_filtered(&mut criterion, "random integers", Data::Random, true);
         bench_filtered(&mut criterion, "aligned integers", Data::Aligned, true);

@@ -11,6 +11,7 @@ mod export;
 mod files;
 mod interrupt;
 mod progress;
+mod pvs;
 mod schema;
 mod stab;
 mod transversals;
@@ -37,6 +38,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 enum Command {
     Check(check::Args),
     Export(export::Args),
+    Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
     Transversals(transversals::Args),
@@ -47,6 +49,7 @@ impl Command {
         match self {
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
+            Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),

@@ -144,3 +144,39 @@ impl Drop for Reporter {
         }
     }
 }
+
+/// The most memory to use, in bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct MemoryLimit(pub u64);
+
+/// Reports progress, and interrupts at a memory limit as well.
+pub(super) struct Watch {
+    reporter: Reporter,
+    limit: Option<MemoryLimit>,
+}
+
+impl Watch {
+    pub(super) fn new(reporter: Reporter, limit: Option<MemoryLimit>) -> Watch {
+        Watch { reporter, limit }
+    }
+
+    fn is_over_limit(&self) -> bool {
+        self.limit.is_some_and(|MemoryLimit(bytes)| {
+            memory_stats::memory_stats().is_some_and(|used| used.physical_mem as u64 > bytes)
+        })
+    }
+}
+
+impl Progress for Watch {
+    fn begin(&self, stage: &str, total: u64) {
+        self.reporter.begin(stage, total);
+    }
+
+    fn advance(&self, steps: u64) {
+        self.reporter.advance(steps);
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.reporter.is_interrupted() || self.is_over_limit()
+    }
+}

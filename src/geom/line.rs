@@ -8,15 +8,21 @@
 use super::{BigPoint3, Point3};
 use crate::num::Int;
 
-/// A directed line through two points: integer Plücker coordinates.
+/// The largest magnitude of the coordinates of two points whose line [`Line`] holds.
+const MAX_COORDINATE: i64 = 1 << 38;
+
+/// A directed line through two points: integer Plücker coordinates, held exactly in floats.
 ///
-/// For points of |coordinate| <= 2^b: |direction| <= 2^(b+1), |moment| <= 2^(2b+1).
+/// For points of |coordinate| <= 2^b, b <= 38: |direction| <= 2^(b+1), |moment| <= 2^(2b+1).
+///
+/// Pairs of floats lie side by side, and aligned, so that one instruction multiplies both.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(16))]
 pub struct Line {
-    /// The nearest floats of the direction and of the moment.
-    floats: ([f64; 3], [f64; 3]),
-    direction: [i64; 3],
-    moment: [i128; 3],
+    /// Each coordinate twice.
+    direction: [[f64; 2]; 3],
+    /// The nearest multiple of 2^25, and what remains, at most 2^24 in magnitude.
+    moment: [[f64; 2]; 3],
 }
 
 /// A directed line with unbounded Plücker coordinates.
@@ -29,42 +35,63 @@ pub struct BigLine {
 }
 
 impl Line {
-    /// The line from `p` through `q`. Two equal points give zeros, which every predicate calls a
-    /// zero.
-    pub fn through(p: &Point3, q: &Point3) -> Line {
+    /// Moments are split at a multiple of this: 2^25.
+    pub const SPLIT: i64 = 1 << 25;
+
+    /// The line from `p` through `q`, or `None` where a coordinate exceeds 2^38 in magnitude
+    /// ([`BigLine::through`] has no limit).
+    ///
+    /// Two equal points give zeros, which every predicate calls a zero.
+    pub fn through(p: &Point3, q: &Point3) -> Option<Line> {
         let (p, q) = (p.integers(), q.integers());
+        if [p, q].as_flattened().iter().any(|x| x.abs() > MAX_COORDINATE) {
+            return None;
+        }
         let product = |i: usize, j: usize| i128::from(p[i]) * i128::from(q[j]);
-        let minor = |i: usize, j: usize| product(i, j) - product(j, i);
-        let moment = [minor(1, 2), minor(2, 0), minor(0, 1)];
-        let direction: [i64; 3] = std::array::from_fn(|i| q[i] - p[i]);
-        let floats = (direction.map(|d| d as f64), moment.map(|m| m as f64));
-        Line { floats, direction, moment }
+        let split = |i: usize, j: usize| {
+            let m = product(i, j) - product(j, i);
+            let split = i128::from(Line::SPLIT);
+            let low = (m + split / 2).rem_euclid(split) - split / 2;
+            [(m - low) as f64, low as f64]
+        };
+        Some(Line {
+            direction: std::array::from_fn(|i| [(q[i] - p[i]) as f64; 2]),
+            moment: [split(1, 2), split(2, 0), split(0, 1)],
+        })
     }
 
     /// q - p.
     #[inline]
     pub fn direction(&self) -> [i64; 3] {
-        self.direction
+        self.direction.map(|[d, _]| d as i64)
     }
 
     /// p x q.
     #[inline]
     pub fn moment(&self) -> [i128; 3] {
-        self.moment
+        // The high part has at most 2·38 + 1 bits, the quotient fits an i64.
+        let whole = |x: f64| i128::from(x as i64);
+        let split = Line::SPLIT;
+        self.moment.map(|[high, low]| whole(high / split as f64) * i128::from(split) + whole(low))
     }
 
-    /// The nearest floats of the direction and of the moment.
+    /// The direction in floats, exactly, each coordinate twice.
     #[inline]
-    pub fn floats(&self) -> &([f64; 3], [f64; 3]) {
-        &self.floats
+    pub fn paired_direction(&self) -> &[[f64; 2]; 3] {
+        &self.direction
+    }
+
+    /// The moment in floats, exactly: the nearest multiples of 2^25, and what remains.
+    #[inline]
+    pub fn split_moment(&self) -> &[[f64; 2]; 3] {
+        &self.moment
     }
 
     /// The same line in the other direction.
     pub fn reversed(&self) -> Line {
         Line {
-            floats: (self.floats.0.map(|c| -c), self.floats.1.map(|c| -c)),
-            direction: self.direction.map(|c| -c),
-            moment: self.moment.map(|c| -c),
+            direction: self.direction.map(|pair| pair.map(|c| -c)),
+            moment: self.moment.map(|parts| parts.map(|c| -c)),
         }
     }
 }
@@ -83,6 +110,6 @@ impl BigLine {
 
 impl From<Line> for BigLine {
     fn from(line: Line) -> BigLine {
-        BigLine { direction: line.direction.map(Int::from), moment: line.moment.map(Int::from) }
+        BigLine { direction: line.direction().map(Int::from), moment: line.moment().map(Int::from) }
     }
 }

@@ -6,8 +6,10 @@
 
 mod families;
 mod linear;
+mod plane;
 mod polynomial;
 mod sequence;
 
 pub use families::{Family, Random, sequence, sequence_2d};
+pub use plane::{PlaneTruth, classify_2d};
 pub use sequence::{LinePoints, Truth, classify};

@@ -69,6 +69,8 @@ pub fn compare_crossings(
     budget: &Budget,
 ) -> Option<Sign> {
     debug_assert!(budget.holds(p) && budget.holds(q), "a point exceeds its budget");
+    let planes = [first, second];
+    debug_assert!(planes.iter().all(|p| budget.holds_plane(p)), "a plane exceeds its budget");
     record(Predicate::CompareCrossings, Stage::Fixed);
     compare_crossings_exact(p, q, first, second, budget)
 }

@@ -6,7 +6,7 @@
 //! the same table (a test keeps the two in step). [`Budget`] carries b, and the float error
 //! bounds that follow from it, to the predicates.
 
-use crate::geom::Point3;
+use crate::geom::{Line, Plane, Point3};
 
 /// The bound of a predicate's value, and of every partial result on the way: less than
 /// 2^(slope·b + constant) on a grid of b bits.
@@ -90,7 +90,9 @@ pub struct Budget {
     filters: bool,
     /// The error of `orient3d`'s float stage.
     pub(super) orient3d_error: f64,
-    /// The error of `side_of_lines`' float stage; 0 where it is exact.
+    /// Whether `side_of_lines` is exact in floats, and may use them.
+    pub(super) exact_lines: bool,
+    /// The error of `side_of_lines`' float stage beyond [`SPLIT_BITS`].
     pub(super) side_of_lines_error: f64,
 }
 
@@ -107,7 +109,8 @@ impl Budget {
             bits,
             filters: true,
             orient3d_error: orient3d_error(difference),
-            side_of_lines_error: side_of_lines_error(bits, difference, coordinate),
+            exact_lines: bits <= SPLIT_BITS,
+            side_of_lines_error: side_of_lines_error(difference, coordinate),
         }
     }
 
@@ -121,7 +124,7 @@ impl Budget {
     /// The same, with the float stages switched off: what is left are integers. Signs are the
     /// same, and tests check that they are.
     pub const fn without_filters(self) -> Budget {
-        Budget { filters: false, ..self }
+        Budget { filters: false, exact_lines: false, ..self }
     }
 
     /// The bits: every coordinate is at most 2^bits in magnitude.
@@ -140,6 +143,22 @@ impl Budget {
     pub fn holds(&self, point: &Point3) -> bool {
         point.integers().iter().all(|c| c.unsigned_abs() <= 1 << self.bits)
     }
+
+    /// Whether a line can be one through points within the budget.
+    pub(super) fn holds_line(&self, line: &Line) -> bool {
+        let bits = self.bits;
+        line.direction().iter().all(|d| d.unsigned_abs() <= 2 << bits)
+            && line.moment().iter().all(|m| m.unsigned_abs() <= 2 << (2 * bits))
+    }
+
+    /// Whether a plane can be one through points within the budget. (That normals and offsets are
+    /// within these bounds is shown in `meets`.)
+    pub(super) fn holds_plane(&self, plane: &Plane) -> bool {
+        // A plane holds 40 bits, whatever the budget.
+        let bits = self.bits.min(40);
+        plane.normal().iter().all(|n| n.unsigned_abs() <= 4 << (2 * bits))
+            && plane.offset().unsigned_abs() <= 4 << (3 * bits)
+    }
 }
 
 /// The float stage of `orient3d` on integer points evaluates ((b-a) x (c-a))·(d-a).
@@ -154,18 +173,22 @@ const fn orient3d_error(difference: f64) -> f64 {
     48.0 * U * difference * difference * difference
 }
 
-/// The float stage of `side_of_lines` evaluates d·m' + m·d' on rounded Plücker coordinates.
+/// The largest grid on which `side_of_lines` is exact in floats.
 ///
-/// Up to 16 bits every coordinate, product and partial sum is an integer below 2^(3b+5) = 2^53:
-/// no error at all. Otherwise, with D for directions and M = 2C² for moments: each of the six
-/// terms is in error by 2uDM from its factors and uDM from its product; the sums of three by
-/// u(2+3)DM, twice, and their sum by 6uDM: (12 + 6 + 10 + 6)uDM = 34uDM, and 36 with the higher
-/// orders.
-const fn side_of_lines_error(bits: u32, difference: f64, coordinate: f64) -> f64 {
-    if bits <= SIDE_OF_LINES.largest_grid(54) {
-        return 0.0;
-    }
-    36.0 * U * difference * 2.0 * coordinate * coordinate
+/// The moments m = h + l of a [`Line`](crate::geom::Line) are split at 2^25, and the value is S_h + S_l with S_h = d·h' + h·d' and S_l = d·l' + l·d'. At 24 bits directions are at
+/// most 2^25 and moments at most 2^49, both parts of them floats. So S_h and all its partial sums
+/// are multiples of 2^25 of at most 6·2^25·2^49 = 2^51.6 such units, S_l and its partial sums
+/// integers of at most 6·2^25·2^24 = 2^51.6: exact, both. Their one rounded sum has the sign of
+/// the true one, zero included.
+pub(super) const SPLIT_BITS: u32 = 24;
+
+/// Beyond that: let D bound directions and M = 2C² moments, both held exactly, and high parts be
+/// at most M + 2^24. Each of the six products of S_h is in error by uDM; the sums of three by
+/// u(2+3)DM, twice, and their sum by 6uDM: 22uDM. S_l, at most 2^-25 of that size, adds nothing
+/// to the first digits of it, and the sum S_h + S_l another 6uDM: 28uDM, and 30 with the higher
+/// orders. (Lines hold up to 38 bits, whatever the budget.)
+const fn side_of_lines_error(difference: f64, coordinate: f64) -> f64 {
+    30.0 * U * difference * 2.0 * coordinate * coordinate
 }
 
 /// The largest grid whose values, where the float stage leaves them open, are told apart by their

@@ -1,7 +1,7 @@
 //! Which stage answered: counts for tuning, compiled in by the feature `counters` only.
 //!
-//! Without the feature [`record`] is empty and costs nothing. With it, each answer is one relaxed
-//! atomic addition, correct from any number of threads.
+//! Without the feature counting is an empty function and costs nothing. With it, each answer is one
+//! relaxed atomic addition, correct from any number of threads.
 
 #[cfg(feature = "counters")]
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -29,13 +29,15 @@ pub enum Predicate {
     VertexSideOfPlane,
     CompareAlongLine,
     CompareCrossings,
+    TransversalCount,
+    SideOfTransversals,
 }
 
 /// How often each stage (filter, fixed, big) of each predicate answered.
-pub type Counts = [[u64; 3]; 8];
+pub type Counts = [[u64; 3]; 10];
 
 #[cfg(feature = "counters")]
-static COUNTS: [[AtomicU64; 3]; 8] = [const { [const { AtomicU64::new(0) }; 3] }; 8];
+static COUNTS: [[AtomicU64; 3]; 10] = [const { [const { AtomicU64::new(0) }; 3] }; 10];
 
 /// Counts one answer.
 #[inline(always)]
@@ -52,4 +54,20 @@ pub fn counts() -> Option<Counts> {
     return Some(COUNTS.each_ref().map(|row| row.each_ref().map(|count| count.load(Relaxed))));
     #[cfg(not(feature = "counters"))]
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_counted_where_asked_for() {
+        let before = counts();
+        record(Predicate::CompareCrossings, Stage::Big);
+        assert_eq!(before.is_some(), cfg!(feature = "counters"));
+        if let (Some(before), Some(after)) = (before, counts()) {
+            let (row, column) = (Predicate::CompareCrossings as usize, Stage::Big as usize);
+            assert!(after[row][column] > before[row][column]);
+        }
+    }
 }

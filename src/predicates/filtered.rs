@@ -16,7 +16,7 @@
 //! true or rounded; B >= 1. A coordinate is in error by at most δ = uB, or 0 where it is exact
 //! (Higham, Accuracy and Stability of Numerical Algorithms, 2002, chapters 2 and 3; the idea of
 //! semi-static bounds from Shewchuk 1997 and from Meyer and Pion, 2008). The bounds are derived
-//! in the comments of [`FilteredPlane::through`] and [`FilteredLine::through`].
+//! in the comments of `PlaneScale` and `LineScale`.
 //!
 //! Invariant: a returned sign is the sign of the exact determinant of the true coordinates.
 
@@ -91,6 +91,14 @@ impl Approx3 {
         Approx3 { p, held }
     }
 
+    /// The point whose coordinates are these integers, below 2^53 in magnitude, times 2^-bits.
+    pub fn dyadic(integers: [i64; 3], bits: u32) -> Approx3 {
+        debug_assert!(integers.iter().all(|c| c.unsigned_abs() < 1 << 53), "not a float");
+        debug_assert!(bits < 64, "a unit that small is not needed");
+        let unit = 1.0 / (1u64 << bits) as f64;
+        Approx3::exact(integers.map(|c| c as f64 * unit))
+    }
+
     /// A point whose true coordinates have these nearest floats (ties either way).
     pub fn rounded(p: [f64; 3]) -> Approx3 {
         Approx3 { p, held: Held::Rounded }
@@ -137,6 +145,11 @@ impl Bound {
     /// The bound of some points. Points that are used later with it must lie within it too.
     pub fn of<'a>(points: impl IntoIterator<Item = &'a Approx3>) -> Bound {
         Bound::new(largest(points.into_iter().flat_map(|point| point.p)))
+    }
+
+    /// Twice the bound.
+    pub fn doubled(self) -> Bound {
+        Bound::new(2.0 * self.b)
     }
 
     /// Whether the bound holds for a point.
@@ -425,15 +438,9 @@ impl LineScale {
 /// The sign of a true value that `value` is within `error` of, if that says it.
 #[inline(always)]
 fn decide(value: f64, error: f64) -> Option<Sign> {
-    if value > error {
-        Some(Sign::Positive)
-    } else if value < -error {
-        Some(Sign::Negative)
-    } else if error == 0.0 {
-        Some(Sign::Zero)
-    } else {
-        None
-    }
+    // One branch, nearly always the same way: the sign itself is taken without one. An error of
+    // zero is that of exact points, whose value is never NaN.
+    if value.abs() > error || error == 0.0 { Some(Sign::of(&value)) } else { None }
 }
 
 #[inline(always)]

@@ -12,6 +12,7 @@
 //!                            but Σ λ side(x, e) = side(x, 0) = 0
 //! ```
 
+use crate::geom::Point3;
 use crate::num::{Int, Sign};
 use num_traits::{One, Signed, Zero};
 
@@ -29,11 +30,16 @@ const U: f64 = f64::EPSILON / 2.0;
 /// 2. unchanged by translation and by reversing *all* lines;
 /// 3. unchanged by moving the two points of a line along it, in the same direction.
 ///
-/// Contract: exact, degree 3 a row (18 in all), unperturbed.
+/// `big` gives the same lines by unbounded coordinates, for the exact stage.
+///
+/// Contract: exact, degree 9, unperturbed
 ///
 /// Source: Gordan 1873; bounds of the filter after Rump 2010 (residual of an approximate inverse).
-pub fn exclude_each_other(small: &[[[f64; 3]; 2]], big: impl Fn() -> Vec<[[Int; 3]; 2]>) -> bool {
-    match exclude_each_other_filter(small) {
+pub fn exclude_each_other(
+    lines: &[[Point3; 2]],
+    big: impl Fn() -> Vec<[[Int; 3]; 2]>,
+) -> bool {
+    match exclude_each_other_filter(lines) {
         Some(Sign::Positive) => true,
         Some(Sign::Zero | Sign::Negative) | None => exclude_each_other_exact(&big()),
     }
@@ -55,9 +61,9 @@ pub fn exclude_each_other(small: &[[[f64; 3]; 2]], big: impl Fn() -> Vec<[[Int; 
 /// Evaluated in floats: r_j is off by at most 8u Σ λ_k |v_kj| + η Σ λ_k <= 20u (Σ λ_k <= 1 + 8u);
 /// E_ij by at most Σ_l |R_il| λ_j (9u + η), so a row of E by 20u Σ_l |R_il|. Sums of positive
 /// terms are off by less than 1 % in all; the factor 1.01 covers them.
-fn exclude_each_other_filter(lines: &[[[f64; 3]; 2]]) -> Option<Sign> {
-    let lines: &[[[f64; 3]; 2]; 7] = lines.try_into().ok()?;
-    let vectors = scaled_vectors(lines)?;
+fn exclude_each_other_filter(lines: &[[Point3; 2]]) -> Option<Sign> {
+    let lines: &[[Point3; 2]; 7] = lines.try_into().ok()?;
+    let vectors = scaled_vectors(&lines.map(|line| line.map(|point| point.floats())))?;
     let inverse = invert(&vectors)?;
     let mut weights = [1.0; 7];
     for (weight, row) in weights.iter_mut().zip(&inverse) {

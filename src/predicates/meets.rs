@@ -10,7 +10,7 @@ use super::budget::{Budget, SIDE_OF_MEETS, U};
 use super::counters::{Predicate, Stage, record};
 use super::ring::{cross, difference, dot};
 use crate::geom::{BigPlane, Plane};
-use crate::num::{Int, Sign, Wide};
+use crate::num::{Int, Int256, Sign, Wide};
 
 /// The Plücker side of two lines, each the meet of two planes and directed along the cross
 /// product of their normals.
@@ -29,6 +29,8 @@ use crate::num::{Int, Sign, Wide};
 /// Source: Stolfi, Oriented projective geometry, 1991 (the meet as the dual of the join); it is
 /// the determinant of the four planes' coefficients up to sign.
 pub fn side_of_meets(x: [&Plane; 2], y: [&Plane; 2], budget: &Budget) -> Sign {
+    let all = [x[0], x[1], y[0], y[1]];
+    debug_assert!(all.iter().all(|p| budget.holds_plane(p)), "a plane exceeds its budget");
     if budget.filters()
         && let Some(sign) = side_of_meets_filter(x, y)
     {
@@ -86,14 +88,39 @@ pub(super) fn normals_exact([first, second, third]: [&Plane; 3]) -> Sign {
     (term(0) + term(1) + term(2)).sign()
 }
 
-/// The fixed-width stage of [`side_of_meets`]: moments in 192 bits and products in 320 up to the
-/// 33 bits of portal files with six decimals, 256 and 512 up to the 40 that a [`Plane`] holds.
+/// The largest grid on which meets of planes have coordinates of an `i128`.
+///
+/// Normals are twice the area of a triangle in a square, seen along an axis: at most D² =
+/// 2^(2b+2). Offsets are determinants of three points: at most 4C³ = 2^(3b+2) (both are affine in
+/// every coordinate, so that they are extreme at corners of the box, which a test tries). Moments
+/// are then at most 2·2^(2b+2)·2^(3b+2) = 2^(5b+5): 125 bits. Sides are below 2^(9b+19): 235 bits.
+const SHORT_MEETS: u32 = 24;
+
+/// The fixed-width stage of [`side_of_meets`]: 128 bits and products in 256 up to the 24 bits of
+/// level geometry, 192 and 320 up to the 33 of portal files with six decimals, 256 and 512 up to
+/// the 40 that a [`Plane`] holds.
 pub fn side_of_meets_exact(x: [&Plane; 2], y: [&Plane; 2], budget: &Budget) -> Sign {
+    if budget.bits() <= SHORT_MEETS {
+        return short_side(x, y);
+    }
     if budget.bits() <= SIDE_OF_MEETS.largest_grid(320) {
         return wide_side::<3, 5>(x, y);
     }
     const { assert!(SIDE_OF_MEETS.largest_grid(512) >= 40) }
     wide_side::<4, 8>(x, y)
+}
+
+/// [`side_of_meets_exact`] where meets have coordinates of an `i128`.
+fn short_side(x: [&Plane; 2], y: [&Plane; 2]) -> Sign {
+    let meet = |[first, second]: [&Plane; 2]| {
+        // Normals fit 64 bits: saying so makes one instruction of a product.
+        let [n, m] = [first, second].map(|plane| plane.normal().map(|n| i128::from(n as i64)));
+        let moment = difference(&n.map(|n| second.offset() * n), &m.map(|m| first.offset() * m));
+        (cross(&n, &m), moment)
+    };
+    let ((d, m), (e, n)) = (meet(x), meet(y));
+    let term = |i: usize| Int256::product(d[i], n[i]) + Int256::product(m[i], e[i]);
+    (term(0) + term(1) + term(2)).sign()
 }
 
 /// Moments and directions in `M` limbs, their products and sums in `R`.

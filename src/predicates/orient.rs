@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, ORIENT2D, ORIENT3D, RESIDUE_BITS};
 use super::counters::{Predicate, Stage, record};
-use super::ring::{Residue, determinant, difference, dot, sign_of_i128};
+use super::ring::{Residue, cross, determinant, difference, dot, sign_of_i128};
 use crate::geom::{BigPoint2, BigPoint3, Point2, Point3};
 use crate::num::{Int192, Sign};
 
@@ -67,26 +67,64 @@ pub fn orient2d_big(a: &BigPoint2, b: &BigPoint2, c: &BigPoint2) -> Sign {
 #[inline]
 pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
     debug_assert!([a, b, c, d].iter().all(|p| budget.holds(p)), "a point exceeds its budget");
-    // Up to here integers are as quick as floats, and exact zeros cost nothing extra.
-    if budget.bits() <= MINOR_IN_I64 || !budget.filters() {
+    // On small grids integers are as quick as floats, and exact zeros cost nothing extra.
+    if budget.bits() <= VALUE_IN_I64 {
         record(Predicate::Orient3d, Stage::Fixed);
-        return orient3d_exact(a, b, c, d, budget);
+        return orient3d_shortest(a, b, c, d);
     }
-    if let Some(sign) = orient3d_filter(a, b, c, d, budget) {
+    if budget.bits() <= MINOR_IN_I64 {
+        record(Predicate::Orient3d, Stage::Fixed);
+        return orient3d_short(a, b, c, d);
+    }
+    orient3d_long(a, b, c, d, budget)
+}
+
+/// The largest grid on which the value, below 2^(3b+6), is an `i64`.
+const VALUE_IN_I64: u32 = ORIENT3D.largest_grid(64);
+
+/// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
+const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
+
+/// [`orient3d`] where the value fits 64 bits.
+#[inline(always)]
+fn orient3d_shortest(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
+    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
+    Sign::of(&dot(&cross(&c, &b), &d))
+}
+
+/// [`orient3d`] where minors fit 64 bits.
+#[inline(always)]
+fn orient3d_short(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
+    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
+    sign_of_i128(dot(&cross(&c, &b).map(i128::from), &d.map(i128::from)))
+}
+
+/// The difference p - a with its second coordinate mirrored, which swapping b and c makes up for.
+/// Subtracting alternately from left and right keeps the compiler from pairing the subtractions
+/// in vector registers, only to take them apart again for the products.
+#[inline(always)]
+fn mirrored(a: &Point3, p: &Point3) -> [i64; 3] {
+    let ([a, b, c], [x, y, z]) = (a.integers(), p.integers());
+    [x - a, b - y, z - c]
+}
+
+/// [`orient3d`] beyond that. Apart, so that the rest is small enough to be inlined.
+#[inline(never)]
+fn orient3d_long(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
+    if budget.filters()
+        && let Some(sign) = orient3d_filter(a, b, c, d, budget)
+    {
         record(Predicate::Orient3d, Stage::Filter);
         return sign;
     }
     record(Predicate::Orient3d, Stage::Fixed);
-    if budget.bits() <= RESIDUE_BITS {
+    if budget.filters() && budget.bits() <= RESIDUE_BITS {
         let residues = [a, b, c, d].map(|p| p.integers().map(Residue));
         let [a, b, c, d] = &residues;
         return Sign::of(&determinant(a, b, c, d).0);
     }
     orient3d_exact(a, b, c, d, budget)
 }
-
-/// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
-const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
 
 /// The float stage of [`orient3d`]; the error bound is derived in `budget`.
 #[inline]
@@ -113,20 +151,19 @@ pub fn orient3d_filter(
 /// The fixed-width stage of [`orient3d`], in the narrowest width that the budget allows.
 #[inline]
 pub fn orient3d_exact(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
-    let origin = a.integers();
-    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin));
-    if budget.bits() <= ORIENT3D.largest_grid(64) {
-        return Sign::of(&determinant(&[0; 3], &b, &c, &d));
+    if budget.bits() <= VALUE_IN_I64 {
+        return orient3d_shortest(a, b, c, d);
     }
     if budget.bits() <= MINOR_IN_I64 {
-        return sign_of_i128(dot(&super::ring::cross(&b, &c).map(i128::from), &d.map(i128::from)));
+        return orient3d_short(a, b, c, d);
     }
-    let [b, c, d] = [b, c, d].map(|v| v.map(i128::from));
+    let origin = a.integers();
+    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin).map(i128::from));
     if budget.bits() <= ORIENT3D.largest_grid(128) {
         return sign_of_i128(determinant(&[0; 3], &b, &c, &d));
     }
     const { assert!(ORIENT3D.largest_grid(192) >= 53) }
-    let minors = super::ring::cross(&b, &c);
+    let minors = cross(&b, &c);
     let term = |i: usize| Int192::from(minors[i]).times_i128(d[i]);
     (term(0) + term(1) + term(2)).sign()
 }

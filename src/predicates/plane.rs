@@ -20,10 +20,11 @@ use crate::num::{Int192, Sign};
 ///
 /// Contract: exact, degree 3, unperturbed
 ///
-/// Source: the definition of a plane's sides; the ranges are derived beside [`SIDE_OF_PLANE`].
+/// Source: the definition of a plane's sides; the range is derived in `budget`.
 #[inline]
 pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
     debug_assert!(budget.holds(v), "a point exceeds its budget");
+    debug_assert!(budget.holds_plane(plane), "a plane exceeds its budget");
     record(Predicate::SideOfPlane, Stage::Fixed);
     side_of_plane_exact(plane, v, budget)
 }
@@ -31,16 +32,22 @@ pub fn side_of_plane(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
 /// The fixed-width stage of [`side_of_plane`].
 #[inline]
 pub fn side_of_plane_exact(plane: &Plane, v: &Point3, budget: &Budget) -> Sign {
-    let v = v.integers().map(i128::from);
+    if budget.bits() <= SIDE_OF_PLANE.largest_grid(64) {
+        let normal = plane.normal().map(|n| n as i64);
+        return Sign::of(&(dot(&normal, &v.integers()) - plane.offset() as i64));
+    }
     if budget.bits() <= ORIENT2D.largest_grid(64) {
         // Normals, which are minors of differences, fit 64 bits: one instruction a product.
         let normal = plane.normal().map(|n| i128::from(n as i64));
-        return sign_of_i128(dot(&normal, &v) - plane.offset());
+        return sign_of_i128(dot(&normal, &v.integers().map(i128::from)) - plane.offset());
     }
-    if budget.bits() <= SIDE_OF_PLANE.largest_grid(128) {
-        return sign_of_i128(dot(&plane.normal(), &v) - plane.offset());
-    }
-    // The plane is one of 40 bits, the point may have 53: 2·40 + 3 + 53 + 2 bits.
+    side_of_long_plane(plane, v)
+}
+
+/// The plane is one of 40 bits, the point may have 53: 2·40 + 3 + 53 + 2 bits.
+#[inline(never)]
+fn side_of_long_plane(plane: &Plane, v: &Point3) -> Sign {
+    let v = v.integers().map(i128::from);
     let term = |i: usize| Int192::from(plane.normal()[i]).times_i128(v[i]);
     (term(0) + term(1) + term(2) - Int192::from(plane.offset())).sign()
 }
@@ -70,6 +77,8 @@ pub fn side_of_plane_big(plane: &BigPlane, v: &BigPoint3) -> Sign {
 /// as multiplying out shows.
 pub fn vertex_side_of_plane(vertex: [&Plane; 3], plane: &Plane, budget: &Budget) -> Option<Sign> {
     let [first, second, third] = vertex;
+    let all = [first, second, third, plane];
+    debug_assert!(all.iter().all(|p| budget.holds_plane(p)), "a plane exceeds its budget");
     if budget.filters()
         && let Some(spanned) = meets::normals_filter(vertex)
         && let Some(side) = side_of_meets_filter([first, second], [third, plane])

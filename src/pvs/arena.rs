@@ -6,12 +6,15 @@
 //! counter-clockwise as seen from the cell that it enters.
 
 use super::bits::Bits;
+use super::grid::Grid;
+use super::propose::Outline;
 use crate::geom::BigPoint3;
-use crate::num::{Int, Rational, Sign};
+use crate::num::{Int, Sign};
 use crate::predicates::filtered::{Approx3, Bound, FilteredLine, FilteredPlane};
-use crate::scene::PortalGraph;
+use crate::scene::{CellOrder, PortalGraph, PortalId};
+use crate::stab::Portal3;
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use rustc_hash::FxHashMap;
 
 /// A portal with a direction of crossing.
 pub(crate) type Directed = u32;
@@ -31,7 +34,7 @@ pub(crate) struct Plane {
 /// What tells planes apart: equal keys are the same plane, with the same front.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum PlaneKey {
-    /// Normal and offset in lowest terms, where the floats hold them exactly.
+    /// Normal and offset in lowest terms, where the filter holds them exactly.
     Reduced([i64; 4]),
     /// The vertices that the plane goes through.
     Through([u32; 3]),
@@ -49,29 +52,18 @@ impl Plane {
         }
     }
 
-    /// Whether the floats found the three vertices collinear; a hint, not a verdict.
-    pub fn is_null(&self) -> bool {
-        self.filter.normal() == [0.0; 3]
-    }
-
-    /// How far in front of the plane a point is, in floats and unscaled: a hint, not a verdict.
-    pub fn hint(&self) -> ([f64; 3], f64) {
-        (self.filter.normal(), self.filter.offset())
-    }
-
-    /// The three vertices that span the plane.
-    pub fn through(&self) -> [u32; 3] {
-        self.through
+    /// The filter, for what proposes.
+    pub fn filter(&self) -> &FilteredPlane {
+        &self.filter
     }
 }
 
+/// Where a directed portal's vertices are in `Arena::ids`, and what it joins.
 struct Span {
     first: u32,
     end: u32,
     from: u32,
     to: u32,
-    center: [f64; 3],
-    radius: f64,
 }
 
 /// The search's view of a portal graph.
@@ -83,95 +75,81 @@ pub(crate) struct Arena {
     ids: Vec<u32>,
     /// The edge from each vertex of `ids` to the next of its polygon.
     edges: Vec<FilteredLine>,
+    /// Of each directed portal, three vertices that are not collinear, and their plane.
     planes: Vec<Plane>,
+    outlines: Vec<Outline>,
+    /// The directed portals by the cell that they leave, and where each cell's begin.
     leaving: Vec<Directed>,
     leaving_of: Vec<u32>,
     cells: u32,
+    order: CellOrder,
+    /// The input's number of each planar portal.
+    sources: Vec<u32>,
 }
 
 impl Arena {
     pub fn new(graph: &PortalGraph) -> Arena {
+        let grid = Grid::new(graph);
         let points: Vec<Approx3> =
-            graph.vertices.iter().map(|v| approximate(v, &graph.denominator)).collect();
-        let bound = Bound::of(&points);
+            (0..graph.vertices.len()).map(|vertex| grid.approximate(vertex as u32)).collect();
         let mut arena = Arena {
+            bound: Bound::of(&points).doubled(),
             points,
-            grid: Grid::new(&graph.vertices),
-            bound,
+            grid,
             spans: Vec::new(),
             ids: Vec::new(),
             edges: Vec::new(),
             planes: Vec::new(),
+            outlines: Vec::new(),
             leaving: Vec::new(),
             leaving_of: Vec::new(),
             cells: graph.cells.len() as u32,
+            order: CellOrder::new(graph),
+            sources: graph.portals.iter().map(|portal| portal.source).collect(),
         };
         for portal in &graph.portals {
-            arena.add(portal.vertices.iter().copied(), portal.from.0, portal.to.0);
-            arena.add(portal.vertices.iter().rev().copied(), portal.to.0, portal.from.0);
+            let corner = arena.corner(&portal.vertices);
+            let [a, b, c] = corner;
+            arena.add(portal.vertices.iter().copied(), [a, b, c], [portal.from.0, portal.to.0]);
+            let reversed = portal.vertices.iter().rev().copied();
+            arena.add(reversed, [a, c, b], [portal.to.0, portal.from.0]);
         }
         arena.index_cells();
         arena
     }
 
-    fn add(&mut self, vertices: impl Iterator<Item = u32>, from: u32, to: u32) {
+    fn add(&mut self, vertices: impl Iterator<Item = u32>, corner: [u32; 3], cells: [u32; 2]) {
         let first = self.ids.len();
         self.ids.extend(vertices);
         let ids = &self.ids[first..];
-        let mut center = [0.0; 3];
-        for &v in ids {
-            for (sum, c) in center.iter_mut().zip(self.points[v as usize].floats()) {
-                *sum += c / ids.len() as f64;
-            }
+        for (i, &vertex) in ids.iter().enumerate() {
+            let [a, b] = [vertex, ids[(i + 1) % ids.len()]].map(|v| &self.points[v as usize]);
+            self.edges.push(FilteredLine::through(a, b, self.bound));
         }
-        let radius = ids
-            .iter()
-            .map(|&v| glam::DVec3::from(self.points[v as usize].floats()).distance(center.into()))
-            .fold(0.0, f64::max);
-        let edges: Vec<FilteredLine> = (0..ids.len())
-            .map(|i| {
-                let [a, b] = [i, (i + 1) % ids.len()].map(|i| &self.points[ids[i] as usize]);
-                FilteredLine::through(a, b, self.bound)
-            })
-            .collect();
-        let plane = self.supporting_plane(ids);
-        self.edges.extend(edges);
-        self.planes.push(plane);
-        self.spans.push(Span {
-            first: first as u32,
-            end: self.ids.len() as u32,
-            from,
-            to,
-            center,
-            radius,
-        });
+        self.outlines.push(Outline::of(ids.iter().map(|&v| &self.points[v as usize])));
+        self.planes.push(self.plane(corner));
+        let [from, to] = cells;
+        self.spans.push(Span { first: first as u32, end: self.ids.len() as u32, from, to });
     }
 
-    /// The plane through three vertices of a convex polygon that are not collinear: the widest of
-    /// the corners at consecutive vertices, so that the filter decides most.
-    fn supporting_plane(&self, ids: &[u32]) -> Plane {
-        let n = ids.len();
-        let corner = |i: usize| [ids[i], ids[(i + 1) % n], ids[(i + 2) % n]];
-        let area = |c: &[u32; 3]| {
-            let [a, b, c] = c.map(|v| glam::DVec3::from_array(self.points[v as usize].floats()));
-            (b - a).cross(c - a).length_squared()
-        };
-        let widest = (0..n).map(corner).max_by(|a, b| area(a).total_cmp(&area(b)));
-        self.plane(widest.expect("a portal has three vertices or more"))
+    /// Three vertices of a convex polygon that are not collinear, in its order. (A validated
+    /// portal has no collinear vertices, so the first three are.)
+    fn corner(&self, ids: &[u32]) -> [u32; 3] {
+        [ids[0], ids[1], ids[2]]
     }
 
     fn index_cells(&mut self) {
         let mut order: Vec<Directed> = (0..self.spans.len() as u32).collect();
-        order.sort_by_key(|&d| (self.from(d), d));
-        self.leaving_of = vec![0; self.cells as usize + 1];
-        for &d in &order {
-            let from = self.from(d) as usize;
-            self.leaving_of[from + 1] += 1;
+        order.sort_by_key(|&portal| (self.from(portal), portal));
+        let mut first = vec![0; self.cells as usize + 1];
+        for &portal in &order {
+            first[self.from(portal) as usize + 1] += 1;
         }
-        for i in 0..self.cells as usize {
-            self.leaving_of[i + 1] += self.leaving_of[i];
+        for cell in 0..self.cells as usize {
+            first[cell + 1] += first[cell];
         }
         self.leaving = order;
+        self.leaving_of = first;
     }
 
     pub fn cells(&self) -> u32 {
@@ -189,6 +167,11 @@ impl Arena {
 
     pub fn to(&self, portal: Directed) -> u32 {
         self.spans[portal as usize].to
+    }
+
+    /// The input's number of the portal that this is, or is a triangle of.
+    pub fn source(&self, portal: Directed) -> u32 {
+        self.sources[portal as usize / 2]
     }
 
     /// The directed portals that leave `cell`, in ascending order.
@@ -212,20 +195,27 @@ impl Arena {
         &self.points[vertex as usize]
     }
 
-    pub fn center(&self, portal: Directed) -> [f64; 3] {
-        self.spans[portal as usize].center
+    pub fn outline(&self, portal: Directed) -> &Outline {
+        &self.outlines[portal as usize]
     }
 
-    pub fn radius(&self, portal: Directed) -> f64 {
-        self.spans[portal as usize].radius
-    }
-
+    /// The bound of every point that takes part: twice the largest coordinate, so that the points
+    /// of a sightline may lie somewhat outside the scene.
     pub fn bound(&self) -> Bound {
         self.bound
     }
 
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
     pub fn plane_of(&self, portal: Directed) -> &Plane {
         &self.planes[portal as usize]
+    }
+
+    /// The plane of `portal`, exact, in units of `1 / scale` of the grid's.
+    pub fn exact_plane_of(&self, portal: Directed, scale: &Int) -> crate::geom::BigPlane {
+        self.grid.plane(self.planes[portal as usize].through, scale)
     }
 
     /// The plane through three vertices; the positive side sees them counter-clockwise.
@@ -246,22 +236,12 @@ impl Arena {
     #[cold]
     fn side_exact(&self, plane: &Plane, vertex: u32) -> Sign {
         let [a, b, c] = plane.through;
-        self.grid.orient(a, b, c, vertex)
+        self.grid.orient([a, b, c, vertex])
     }
 
     /// Whether no vertex of `portal` is in front of `plane`.
     #[inline]
     pub fn wholly_behind(&self, plane: &Plane, portal: Directed) -> bool {
-        // A centre in front is reason enough to keep a portal; only to drop one takes proof.
-        let (normal, offset) = plane.hint();
-        let center = self.center(portal);
-        if normal[0] * center[0] + normal[1] * center[1] + normal[2] * center[2] > offset {
-            return false;
-        }
-        self.wholly_behind_exact(plane, portal)
-    }
-
-    pub fn wholly_behind_exact(&self, plane: &Plane, portal: Directed) -> bool {
         self.vertices(portal).iter().all(|&v| match self.side(plane, v) {
             Sign::Positive => false,
             // A portal that only touches the plane from behind has its interior behind it.
@@ -269,9 +249,29 @@ impl Arena {
         })
     }
 
-    /// Whether some vertex of `portal` is in front of `plane`.
-    pub fn reaches_front(&self, plane: &Plane, portal: Directed) -> bool {
-        !self.wholly_behind(plane, portal)
+    /// Whether a line through the directed portals `first` and then `second`, which leaves the
+    /// cell that `first` enters, might cross them in the other order.
+    pub fn needs_order(&self, first: Directed, second: Directed) -> bool {
+        !self.order.is_implied(PortalId(first / 2), PortalId(second / 2))
+    }
+
+    /// The portals of a sequence for the exact stabber, in the coarsest grid that holds them, and
+    /// how many of its units make one world unit, as a ratio of the two numbers returned.
+    pub fn exact_portals(&self, path: &[Directed]) -> (Vec<Portal3>, [Int; 2]) {
+        let polygons: Vec<Vec<BigPoint3>> = path
+            .iter()
+            .map(|&portal| self.vertices(portal).iter().map(|&v| self.grid.point(v)).collect())
+            .collect();
+        let coordinates = polygons.iter().flatten().flat_map(|point| &point.coordinates);
+        let unit = coordinates.fold(Int::ZERO, |divisor, c| divisor.gcd(c)).max(Int::from(1));
+        let portals = polygons.into_iter().map(|polygon| {
+            let coarse = |point: BigPoint3| BigPoint3 {
+                coordinates: point.coordinates.map(|c| c / &unit),
+            };
+            let polygon: Vec<BigPoint3> = polygon.into_iter().map(coarse).collect();
+            Portal3::new(&polygon).expect("a validated graph has planar convex portals")
+        });
+        (portals.collect(), [self.grid.denominator().clone(), unit.clone()])
     }
 
     /// An empty set of directed portals.
@@ -284,125 +284,6 @@ impl Arena {
         Bits::new(self.cells as usize)
     }
 }
-impl Arena {
-    pub fn grid_point(&self, v: u32) -> [crate::num::Int; 3] {
-        match &self.grid {
-            Grid::Small(p) => p[v as usize].map(Into::into),
-            Grid::Big(p) => p[v as usize].clone(),
-        }
-    }
-}
 
-/// The world coordinates of a grid point, rounded to the nearest floats.
-fn approximate(point: &BigPoint3, denominator: &Int) -> Approx3 {
-    let nearest = |c: &Int| -> f64 {
-        let small = |value: &Int| value.to_i64().filter(|v| v.unsigned_abs() <= 1 << 53);
-        match (small(c), small(denominator)) {
-            // Both are exact floats, and a float division rounds to nearest.
-            (Some(c), Some(d)) => c as f64 / d as f64,
-            _ => Rational::new(c.clone(), denominator.clone()).to_f64().unwrap_or(f64::NAN),
-        }
-    };
-    let floats = [0, 1, 2].map(|i| nearest(&point.coordinates[i]));
-    let whole = point.coordinates.iter().all(|c| (c % denominator) == Int::ZERO);
-    let fits = floats.iter().all(|c| c.abs() <= 9_007_199_254_740_992.0);
-    if whole && fits { Approx3::exact(floats) } else { Approx3::rounded(floats) }
-}
-
-/// temp
-pub enum Grid {
-    /// small
-    Small(Vec<[i64; 3]>),
-    /// big
-    Big(Vec<[Int; 3]>),
-}
-impl Grid {
-    /// temp
-    pub fn new(v: &[BigPoint3]) -> Grid {
-        let small: Option<Vec<[i64; 3]>> = v
-            .iter()
-            .map(|p| {
-                let c: Vec<i64> = p
-                    .coordinates
-                    .iter()
-                    .filter_map(|c| c.to_i64().filter(|c| c.abs() < 1 << 38))
-                    .collect();
-                <[i64; 3]>::try_from(c).ok()
-            })
-            .collect();
-        match small {
-            Some(s) => Grid::Small(s),
-            None => Grid::Big(v.iter().map(|p| p.coordinates.clone()).collect()),
-        }
-    }
-    fn orient(&self, a: u32, b: u32, c: u32, d: u32) -> Sign {
-        match self {
-            Grid::Small(p) => {
-                let a = p[a as usize];
-                let f = |v: u32| {
-                    let v = p[v as usize];
-                    [0, 1, 2].map(|i| (v[i] - a[i]) as i128)
-                };
-                let (x, y, z) = (f(b), f(c), f(d));
-                Sign::of(
-                    &((x[1] * y[2] - x[2] * y[1]) * z[0]
-                        + (x[2] * y[0] - x[0] * y[2]) * z[1]
-                        + (x[0] * y[1] - x[1] * y[0]) * z[2]),
-                )
-            }
-            Grid::Big(p) => {
-                let a = &p[a as usize];
-                let f = |v: u32| {
-                    let v = &p[v as usize];
-                    [0, 1, 2].map(|i| &v[i] - &a[i])
-                };
-                let (x, y, z) = (f(b), f(c), f(d));
-                Sign::of(
-                    &((&x[1] * &y[2] - &x[2] * &y[1]) * &z[0]
-                        + (&x[2] * &y[0] - &x[0] * &y[2]) * &z[1]
-                        + (&x[0] * &y[1] - &x[1] * &y[0]) * &z[2]),
-                )
-            }
-        }
-    }
-}
-
-impl Arena {
-    /// Whether no line is strictly on the positive side of all edges, each from a vertex to
-    /// another.
-    pub fn excluded(&self, edges: &[[u32; 2]]) -> bool {
-        match &self.grid {
-            Grid::Small(points) => {
-                let lines: Vec<[[f64; 3]; 2]> =
-                    edges.iter().map(|e| e.map(|v| points[v as usize].map(|c| c as f64))).collect();
-                crate::predicates::gordan::exclude_each_other(&lines, || {
-                    edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect()
-                })
-            }
-            Grid::Big(_) => crate::predicates::gordan::exclude_each_other_exact(
-                &edges.iter().map(|e| e.map(|v| self.grid_point(v))).collect::<Vec<_>>(),
-            ),
-        }
-    }
-}
-
-impl Arena {
-    pub fn exact_portals(&self, path: &[Directed]) -> Vec<crate::stab::Portal3> {
-        let polys: Vec<Vec<[Int; 3]>> = path
-            .iter()
-            .map(|&p| self.vertices(p).iter().map(|&v| self.grid_point(v)).collect())
-            .collect();
-        let g = polys.iter().flatten().flatten().fold(Int::ZERO, |g, c| g.gcd(c));
-        polys
-            .into_iter()
-            .map(|p| {
-                crate::stab::Portal3::new(
-                    &p.into_iter()
-                        .map(|c| BigPoint3 { coordinates: c.map(|c| c / &g) })
-                        .collect::<Vec<_>>(),
-                )
-                .unwrap()
-            })
-            .collect()
-    }
-}
+/// A table over pairs of directed portals.
+pub(crate) type PairTable<T> = FxHashMap<(Directed, Directed), T>;

@@ -36,19 +36,27 @@ impl Bits {
         self.words[member as usize / 64] &= !(1 << (member % 64));
     }
 
-    pub fn intersects(&self, other: &Bits) -> bool {
-        self.words.iter().zip(&other.words).any(|(a, b)| a & b != 0)
-    }
-
     pub fn assign_intersection(&mut self, a: &Bits, b: &Bits) {
         for ((out, a), b) in self.words.iter_mut().zip(&a.words).zip(&b.words) {
             *out = a & b;
         }
     }
 
+    pub fn assign_shared(&mut self, other: &SharedBits) {
+        for (out, other) in self.words.iter_mut().zip(&other.words) {
+            *out = other.load(Relaxed);
+        }
+    }
+
     pub fn assign_shared_intersection(&mut self, a: &Bits, b: &SharedBits) {
         for ((out, a), b) in self.words.iter_mut().zip(&a.words).zip(&b.words) {
             *out = a & b.load(Relaxed);
+        }
+    }
+
+    pub fn subtract(&mut self, other: &Bits) {
+        for (out, b) in self.words.iter_mut().zip(&other.words) {
+            *out &= !b;
         }
     }
 
@@ -64,6 +72,20 @@ impl Bits {
 
     pub fn is_empty(&self) -> bool {
         self.words.iter().all(|&w| w == 0)
+    }
+
+    /// Removes the members for which `keep` does not hold.
+    pub fn retain(&mut self, keep: impl Fn(u32) -> bool) {
+        for (index, word) in self.words.iter_mut().enumerate() {
+            let mut rest = *word;
+            while rest != 0 {
+                let bit = rest.trailing_zeros();
+                rest &= rest - 1;
+                if !keep(index as u32 * 64 + bit) {
+                    *word &= !(1 << bit);
+                }
+            }
+        }
     }
 
     /// The members in ascending order.
@@ -84,21 +106,18 @@ pub(crate) struct SharedBits {
     words: Vec<AtomicU64>,
 }
 
-impl SharedBits {
-    pub fn new(bits: &Bits) -> SharedBits {
-        SharedBits { words: bits.words.iter().map(|&w| AtomicU64::new(w)).collect() }
+impl From<Bits> for SharedBits {
+    fn from(bits: Bits) -> SharedBits {
+        SharedBits { words: bits.words.into_iter().map(AtomicU64::new).collect() }
     }
+}
 
+impl SharedBits {
     pub fn remove(&self, member: u32) {
         self.words[member as usize / 64].fetch_and(!(1 << (member % 64)), Relaxed);
     }
 
     pub fn intersects(&self, other: &Bits) -> bool {
         self.words.iter().zip(&other.words).any(|(a, b)| a.load(Relaxed) & b != 0)
-    }
-
-    /// The members now.
-    pub fn snapshot(&self) -> Bits {
-        Bits { words: self.words.iter().map(|w| w.load(Relaxed)).collect() }
     }
 }

@@ -12,9 +12,11 @@
 //! Complexity: `O(p^2)` plane tests for `p` portals, and `O(p · d · m · s)` for a pass, with `d`
 //! portals a cell, `m` members of a bound, `s` separating planes of two portals.
 
-use super::arena::{Arena, Directed, Plane, reverse};
+use super::arena::{Arena, Directed, reverse};
 use super::bits::{Bits, SharedBits};
+use super::propose::PlaneHints;
 use super::separators::separators;
+use crate::num::Sign;
 use rayon::prelude::*;
 
 /// For each directed portal, those that might be crossed after it.
@@ -69,6 +71,7 @@ impl Bounds {
         let mut all = arena.no_portals();
         let mut candidates = arena.no_portals();
         let mut planes = Vec::new();
+        let mut hints = PlaneHints::default();
         let mut flood = Flood::new(arena);
         for &next in arena.leaving(arena.to(portal)) {
             if !self.after(portal).has(next) {
@@ -76,8 +79,14 @@ impl Bounds {
             }
             candidates.assign_intersection(self.after(portal), self.after(next));
             planes.clear();
+            hints.clear();
             separators(arena, portal, next, &mut planes);
-            flood.run(arena, next, &candidates, &planes);
+            planes.iter().for_each(|plane| hints.push(plane.filter()));
+            flood.run(arena, next, &candidates, |other| {
+                hints.any_behind(arena.outline(other).center, |index| {
+                    arena.wholly_behind(&planes[index], other)
+                })
+            });
             all.unite(&flood.reached);
             all.insert(next);
         }
@@ -93,7 +102,14 @@ fn fronts(arena: &Arena) -> Vec<Bits> {
             let plane = arena.plane_of(portal);
             let mut front = Bits::new(arena.directed() as usize / 2);
             for other in 0..arena.directed() / 2 {
-                if arena.reaches_front(plane, 2 * other) {
+                let reaches = arena.vertices(2 * other).iter().any(|&vertex| {
+                    match arena.side(plane, vertex) {
+                        Sign::Positive => true,
+                        // Touching the plane from behind does not reach in front of it.
+                        Sign::Zero | Sign::Negative => false,
+                    }
+                });
+                if reaches {
                     front.insert(other);
                 }
             }
@@ -135,12 +151,13 @@ impl Flood {
         Flood { reached: arena.no_portals(), entered: arena.no_cells(), stack: Vec::new() }
     }
 
-    pub fn run_hinted(
+    /// Crosses, from the cell that `first` enters on, every candidate that is not `behind`.
+    pub fn run(
         &mut self,
         arena: &Arena,
         first: Directed,
         candidates: &Bits,
-        behind: impl Fn(Directed) -> bool,
+        is_behind: impl Fn(Directed) -> bool,
     ) {
         self.reached.clear();
         self.entered.clear();
@@ -148,32 +165,11 @@ impl Flood {
         self.stack.push(arena.to(first));
         while let Some(cell) = self.stack.pop() {
             for &next in arena.leaving(cell) {
-                if !candidates.has(next) || behind(next) {
-                    continue;
-                }
-                self.reached.insert(next);
-                if self.entered.insert(arena.to(next)) {
-                    self.stack.push(arena.to(next));
-                }
-            }
-        }
-    }
-
-    /// Crosses from the cell that `first` enters every candidate that is not wholly behind one of
-    /// the planes.
-    pub fn run(&mut self, arena: &Arena, first: Directed, candidates: &Bits, planes: &[Plane]) {
-        self.reached.clear();
-        self.entered.clear();
-        self.entered.insert(arena.to(first));
-        self.stack.push(arena.to(first));
-        while let Some(cell) = self.stack.pop() {
-            for &next in arena.leaving(cell) {
-                if !candidates.has(next) || planes.iter().any(|p| arena.wholly_behind(p, next)) {
-                    continue;
-                }
-                self.reached.insert(next);
-                if self.entered.insert(arena.to(next)) {
-                    self.stack.push(arena.to(next));
+                if candidates.has(next) && !is_behind(next) {
+                    self.reached.insert(next);
+                    if self.entered.insert(arena.to(next)) {
+                        self.stack.push(arena.to(next));
+                    }
                 }
             }
         }
@@ -189,8 +185,8 @@ pub(crate) struct SharedBounds {
 }
 
 impl SharedBounds {
-    pub fn new(bounds: &Bounds) -> SharedBounds {
-        SharedBounds { after: bounds.after.iter().map(SharedBits::new).collect() }
+    pub fn new(bounds: Bounds) -> SharedBounds {
+        SharedBounds { after: bounds.after.into_iter().map(SharedBits::from).collect() }
     }
 
     /// The directed portals that might be crossed after `portal`.

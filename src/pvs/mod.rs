@@ -1,110 +1,126 @@
-//! temp
-#![allow(missing_docs)]
+//! The potentially visible set of a portal graph, exactly: which pairs of cells see each other.
+//!
+//! Cell A sees cell B iff some portal sequence between them is open (`docs/semantics.md`). The
+//! computation works from both sides (Teller 1992, §8.3; the order of the work is this crate's
+//! own): an upper bound for each directed portal of what might be crossed after it ([`bounds`]),
+//! and for each cell a depth-first search of the sequences from it ([`search`]) that narrows the
+//! bound at each step, proves sequences open by a line, and leaves those that it proves not open.
+//! Of two cells, the one with the smaller bound is the source, so each pair is settled once and
+//! the result is symmetric.
+//!
+//! The result comes as one [`Row`] a source cell, which do not depend on each other: they can be
+//! computed by different processes, kept, and put together by [`assemble`].
+//!
+//! **Invariants.** The rows are a function of the graph and of the options that change results (not of
+//! the number of threads, nor of which rows are computed together); every open pair comes with a
+//! line that was checked exactly; no pair is called not open without proof.
+//!
+//! [`bounds`]: self::bounds
+//! [`search`]: self::search
+
 mod arena;
 mod bits;
 mod bounds;
+mod decide;
+mod grid;
+mod part;
 mod propose;
+mod run;
 mod search;
 mod separators;
-use crate::scene::PortalGraph;
-use rayon::prelude::*;
+mod sightline;
 
-pub fn run(graph: &PortalGraph) {
-    let t = std::time::Instant::now();
-    let arena = arena::Arena::new(graph);
-    println!("arena {:?}", t.elapsed());
-    let bounds = bounds::Bounds::new(&arena);
-    println!(
-        "bounds {:?} total {}",
-        t.elapsed(),
-        (0..arena.directed()).map(|d| bounds.after(d).count() as u64).sum::<u64>()
-    );
-    let n = arena.cells();
-    let cellsee: Vec<bits::Bits> = (0..n)
-        .map(|c| {
-            let mut s = arena.no_cells();
-            s.insert(c);
-            for &p in arena.leaving(c) {
-                s.insert(arena.to(p));
-                for q in bounds.after(p).iter() {
-                    s.insert(arena.to(q));
-                }
-            }
-            s
-        })
-        .collect();
-    let mut order: Vec<u32> = (0..n).collect();
-    order.sort_by_key(|&c| (cellsee[c as usize].count(), c));
-    let mut rank = vec![0; n as usize];
-    for (i, &c) in order.iter().enumerate() {
-        rank[c as usize] = i;
+pub use part::{Part, PartError, PartHeader};
+pub use run::{Finished, Options, Shard, compute};
+pub use sightline::Sightline;
+
+use crate::report::{Matrix, PairWitness, Verdict};
+use crate::scene::{CellId, PortalGraph};
+use serde::{Deserialize, Serialize};
+
+/// What was found for one source cell: the verdicts of the pairs that it is the source of.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Row {
+    /// The source.
+    pub source: CellId,
+    /// The cells proved open, in ascending order.
+    pub open: Vec<OpenPair>,
+    /// The cells left undecided by a budget, in ascending order.
+    pub undecided: Vec<CellId>,
+    /// How the work went.
+    pub tally: Tally,
+}
+
+/// A cell that the source sees, and how.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OpenPair {
+    /// The cell seen.
+    pub target: CellId,
+    /// The portals crossed on the way, by their numbers in the input.
+    pub portals: Vec<u32>,
+    /// A line through them.
+    pub line: Sightline,
+}
+
+/// Counts of one row's work, or of many.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tally {
+    /// Pairs that the upper bound left to be settled.
+    pub candidates: u64,
+    /// Pairs found not open by the search.
+    pub refuted: u64,
+    /// Portal sequences visited.
+    pub visited: u64,
+    /// Sequences left because some of their edges exclude each other.
+    pub excluded: u64,
+    /// Pairs proved open by the line of a shorter sequence.
+    pub inherited: u64,
+    /// Pairs proved open by a line found in floats.
+    pub proposed: u64,
+    /// Exact cones built.
+    pub cones: u64,
+    /// Pairs proved open by an exact cone.
+    pub cone_open: u64,
+}
+
+/// The verdicts of all pairs, from the rows of all sources.
+///
+/// Pairs that no row mentions are not open, so the rows must be complete.
+pub fn assemble(graph: &PortalGraph, rows: &[Row]) -> Matrix {
+    let mut matrix = Matrix::new(graph.cells.len(), Verdict::NotOpen);
+    for cell in 0..graph.cells.len() {
+        matrix.set(cell, cell, Verdict::Open);
     }
-    println!("upper {}", cellsee.iter().map(|c| c.count() as u64).sum::<u64>());
-    let shared = bounds::SharedBounds::new(&bounds);
-    let res: Vec<_> = order
-        .par_iter()
-        .with_max_len(1)
-        .map_init(
-            || search::Search::new(&arena, &shared),
-            |s, &a| {
-                s.found.clear();
-                s.stats = Default::default();
-                s.wanted.clear();
-                for b in cellsee[a as usize].iter() {
-                    if rank[b as usize] > rank[a as usize] && cellsee[b as usize].has(a) {
-                        s.wanted.insert(b);
-                    }
-                }
-                let want = s.wanted.count();
-                let t = std::time::Instant::now();
-                s.run(a);
-                (a, want, s.found.len(), s.stats.clone(), t.elapsed().as_secs_f64())
-            },
-        )
-        .collect();
-    println!("search {:?}", t.elapsed());
-    let open: usize = res.iter().map(|r| r.2).sum();
-    println!(
-        "open ordered with diagonal {} wanted {}",
-        2 * open + n as usize,
-        2 * res.iter().map(|r| r.1 as usize).sum::<usize>() + n as usize
-    );
-    let mut t = search::Stats::default();
-    for r in &res {
-        let s = &r.3;
-        macro_rules! add { ($($f:ident),*) => { $(t.$f += s.$f;)* } }
-        add!(
-            nodes,
-            nogood,
-            cones,
-            cone_portals,
-            cone_open,
-            t_cone,
-            compat,
-            floods,
-            no_goal,
-            inherited,
-            solved,
-            gordan,
-            gordan_unproved,
-            parent_line,
-            proposed,
-            undecided,
-            planes,
-            open,
-            t_flood,
-            t_sep,
-            t_norm,
-            t_gordan,
-            t_line
-        );
-
-        for i in 0..8 {
-            t.support[i] += s.support[i];
+    for row in rows {
+        let source = row.source.0 as usize;
+        let open = row.open.iter().map(|pair| (pair.target, Verdict::Open));
+        let undecided = row.undecided.iter().map(|&cell| (cell, Verdict::Undecided));
+        for (target, verdict) in open.chain(undecided) {
+            matrix.set(source, target.0 as usize, verdict);
+            matrix.set(target.0 as usize, source, verdict);
         }
     }
-    println!("{t:#?}");
-    let mut w: Vec<_> = res.iter().map(|r| (r.4, r.0, r.3.nodes)).collect();
-    w.sort_by(|a, b| b.0.total_cmp(&a.0));
-    println!("{:?}", &w[..8]);
+    matrix
+}
+
+/// The witnesses of all open pairs of different cells, each from the lower cell to the higher, in
+/// ascending order.
+pub fn witnesses(rows: &[Row]) -> Vec<PairWitness> {
+    let mut all: Vec<PairWitness> = rows
+        .iter()
+        .flat_map(|row| row.open.iter().map(|pair| witness(row.source.0, pair)))
+        .collect();
+    all.sort_unstable_by_key(|witness| (witness.from, witness.to));
+    all
+}
+
+fn witness(source: u32, pair: &OpenPair) -> PairWitness {
+    let (target, mut portals) = (pair.target.0, pair.portals.clone());
+    if source < target {
+        return PairWitness { from: source, to: target, portals, line: pair.line.numbers() };
+    }
+    portals.reverse();
+    let line = pair.line.reversed().numbers();
+    PairWitness { from: target, to: source, portals, line }
 }

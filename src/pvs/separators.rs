@@ -5,7 +5,8 @@
 //! crossed both: whatever the line meets after the second portal has a part strictly in front
 //! (Teller 1992, §8.3.5). No derived point is needed, so each test is one exact sign of degree 3.
 
-use super::arena::{Arena, Directed, Plane, PlaneKey};
+use super::arena::{Arena, Directed, PairTable, Plane, PlaneKey};
+use super::propose::supporting_vertex;
 use crate::num::Sign;
 use rustc_hash::FxHashMap;
 
@@ -37,58 +38,49 @@ fn supporting(
     outside: Sign,
     own: &[u32],
 ) -> Option<Plane> {
-    let off_edge = |w: &&u32| **w != u && **w != v;
-    let touched = supporting_vertex(arena, [u, v], polygon, outside)?;
+    let sense = if outside == Sign::Positive { 1.0 } else { -1.0 };
+    let ends = [arena.point(u), arena.point(v)];
+    let candidates = polygon.iter().map(|&w| arena.point(w));
+    let touched = polygon[supporting_vertex(ends, candidates, sense)?];
     let plane = arena.plane([u, v, touched]);
-    let holds = |w: &u32, side: Sign| match arena.side(&plane, *w) {
-        // On the plane counts for either side: a touching polygon is still separated.
-        Sign::Zero => true,
-        sign => sign == side,
-    };
-    let separates = polygon.iter().filter(|&&w| w != touched).filter(off_edge).all(|w| holds(w, -outside))
-        && own.iter().filter(off_edge).all(|w| holds(w, outside))
-        // A plane that contains the other polygon's edge line only, or all of both, proves nothing.
-        && own.iter().chain(polygon).any(|&w| arena.side(&plane, w) != Sign::Zero);
-    separates.then_some(plane)
-}
-
-/// Proposes the vertex of `polygon` that no other is beyond, turning about the edge, in floats.
-fn supporting_vertex(
-    arena: &Arena,
-    [u, v]: [u32; 2],
-    polygon: &[u32],
-    outside: Sign,
-) -> Option<u32> {
-    let at = |w: u32| glam::DVec3::from(arena.point(w).floats());
-    let (origin, sense) = (at(u), if outside == Sign::Positive { 1.0 } else { -1.0 });
-    let along = (at(v) - origin) * sense;
-    let mut best = None;
-    let mut normal = glam::DVec3::ZERO;
-    for &w in polygon.iter().filter(|&&w| w != u && w != v) {
-        let towards = at(w) - origin;
-        // The first vertex off the edge's own line, and then each that is beyond the best.
-        if best.is_none() || normal.dot(towards) > 0.0 {
-            let turned = along.cross(towards);
-            if turned != glam::DVec3::ZERO {
-                best = Some(w);
-                normal = turned;
+    let mut apart = false;
+    let mut holds = |w: u32, side: Sign| {
+        w == u
+            || w == v
+            || w == touched
+            || match arena.side(&plane, w) {
+                // On the plane counts for either side: a touching polygon is still separated.
+                Sign::Zero => true,
+                Sign::Positive => {
+                    apart = true;
+                    side == Sign::Positive
+                }
+                Sign::Negative => {
+                    apart = true;
+                    side == Sign::Negative
+                }
             }
-        }
-    }
-    best
+    };
+    let separates =
+        polygon.iter().all(|&w| holds(w, -outside)) && own.iter().all(|&w| holds(w, outside));
+    // A plane with all of both polygons in it proves nothing.
+    (separates && apart).then_some(plane)
 }
 
 /// Separating planes of pairs already met: the portals of a path meet the same portals again and
 /// again as the search backtracks, and the same few planes separate most of them.
 #[derive(Default)]
 pub(crate) struct SeparatorCache {
-    spans: FxHashMap<(Directed, Directed), (u32, u32)>,
+    spans: PairTable<(u32, u32)>,
     /// The planes of each span, as indices of `planes`.
     members: Vec<u32>,
     planes: Vec<Plane>,
     ids: FxHashMap<PlaneKey, u32>,
     found: Vec<Plane>,
 }
+
+/// About 80 MiB a thread.
+const LARGEST_CACHE: usize = 1 << 19;
 
 impl SeparatorCache {
     /// The separating planes of the pair, by their ids.
@@ -121,8 +113,10 @@ impl SeparatorCache {
         &self.planes[id as usize]
     }
 
-    /// How many ids there are.
-    pub fn len(&self) -> usize {
-        self.planes.len()
+    /// Forgets everything, if it has grown large; ids given before are void then.
+    pub fn trim(&mut self) {
+        if self.planes.len() > LARGEST_CACHE || self.members.len() > 8 * LARGEST_CACHE {
+            *self = SeparatorCache::default();
+        }
     }
 }

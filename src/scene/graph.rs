@@ -9,7 +9,7 @@ use crate::geom::BigPoint3;
 use crate::num::Int;
 
 /// A cell of a portal graph: its index in the graph.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CellId(pub u32);
 
 /// A planar portal of a portal graph: its index in [`PortalGraph::portals`].

@@ -69,7 +69,7 @@ pub(super) fn signs_on_edges<R: Ring>(cone: &Cone<R>) -> BothSigns {
                 return signs;
             }
             // Adjacent rays share four rows; whether the others are adjacent does not matter.
-            if rays[i].tight.intersection(&rays[j].tight).len() >= 4 {
+            if rays[i].tight.common(&rays[j].tight) >= 4 {
                 let rs = R::side(&rays[i].vector, &rays[j].vector);
                 // Where the rays meet (zero), Q on the edge is a sum of its values on them.
                 let Some(place) = signs.missing(R::sign_of(&rs)) else { continue };

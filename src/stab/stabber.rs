@@ -44,6 +44,34 @@ pub enum Verdict {
     },
 }
 
+/// How large a sequence's cone is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ConeShape {
+    /// Extreme rays, modulo the lineality space.
+    pub rays: usize,
+    /// Pairs of adjacent rays.
+    pub faces: usize,
+    /// Points where the quadric crosses or touches a 2-face's inside.
+    pub crossings: usize,
+    /// The dimension of the lineality space.
+    pub lineality: usize,
+    /// The most bits of a ray's coordinate.
+    pub bits: u64,
+    /// Bytes that the pushed portal's level keeps.
+    pub bytes: usize,
+}
+
+impl std::fmt::Display for ConeShape {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ConeShape { rays, faces, crossings, lineality, bits, bytes } = self;
+        write!(
+            f,
+            "{rays} rays, {faces} 2-faces, {crossings} crossings, lineality {lineality}, \
+             {bits} bits, {bytes} bytes"
+        )
+    }
+}
+
 /// One pushed portal.
 #[derive(Clone, Debug)]
 struct Level {
@@ -143,6 +171,11 @@ impl Stabber {
             Some(touching_line) => Verdict::Grazing { touching_line, certificate },
             None => Verdict::Blocked { certificate },
         }
+    }
+
+    /// The size of the cone of the pushed portals, while something is strictly inside it.
+    pub fn shape(&self) -> ConeShape {
+        self.levels.last().map(|level| level.cone.shape()).unwrap_or_default()
     }
 
     /// The extremal stabbing lines of the closed portals, in ascending order.

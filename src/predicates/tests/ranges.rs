@@ -54,8 +54,9 @@ fn planes_of_three_corners_stay_within_their_ranges() {
         for n in 0..512usize {
             let [a, b, c] = std::array::from_fn(|i| corners[n >> (3 * i) & 7]);
             let plane = Plane::through(&a, &b, &c).unwrap();
-            assert!(plane.normal().iter().all(|n| n.abs() < 1 << (2 * bits + 3)));
-            assert!(plane.offset().abs() < 1 << (3 * bits + 5));
+            // Affine in every coordinate, so extreme at corners: this proves the true maxima.
+            assert!(plane.normal().iter().all(|n| n.abs() <= 1 << (2 * bits + 2)));
+            assert!(plane.offset().abs() <= 1 << (3 * bits + 2));
             let large = BigPlane::from(plane);
             for v in &corners {
                 let [v] = big([*v]);
@@ -72,7 +73,7 @@ fn planes_of_three_corners_stay_within_their_ranges() {
 #[test]
 fn meets_of_corner_planes_stay_within_their_ranges() {
     let mut random = Random(1);
-    for bits in [0, 24, 26, 33, 34, 40] {
+    for bits in [0, 24, 25, 26, 33, 34, 40] {
         let budget = Budget::for_bits(bits);
         let corners = corners(bits);
         for _ in 0..3000 {

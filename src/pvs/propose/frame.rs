@@ -9,14 +9,29 @@ use super::norm::Half;
 use glam::{DMat3, DVec3};
 
 /// An affine map `p -> to_frame * (p - origin)` of positive determinant.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Frame {
     origin: DVec3,
     to_frame: DMat3,
     to_world: DMat3,
 }
 
+/// A point of R^6 in world coordinates: direction and moment about the world's origin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bivector {
+    direction: DVec3,
+    moment: DVec3,
+}
+
+impl Bivector {
+    /// The side of the edge from `a` to `b`.
+    pub fn side(&self, a: DVec3, b: DVec3) -> f64 {
+        self.direction.dot(a.cross(b)) + self.moment.dot(b - a)
+    }
+}
+
 impl Frame {
+    /// The frame of portals of about `width` from `first` to `last`.
     pub fn new(first: DVec3, last: DVec3, width: f64) -> Frame {
         let along = last - first;
         let length = along.length();
@@ -40,29 +55,17 @@ impl Frame {
         self.to_world * p + self.origin
     }
 
-    pub fn world_bivector(&self, x: &Half) -> Bivector {
-        let d = self.to_world * DVec3::new(x[0], x[1], x[2]);
-        let cofactors = self.to_frame.transpose() * self.to_world.determinant();
-        let m = cofactors * DVec3::new(x[3], x[4], x[5]);
-        Bivector { d, m: m + self.origin.cross(d) }
-    }
-
     pub fn world_direction(&self, d: DVec3) -> DVec3 {
         self.to_world * d
     }
-}
 
-/// A point of R^6 in world coordinates: direction and moment about the world's origin.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bivector {
-    d: DVec3,
-    m: DVec3,
-}
-
-impl Bivector {
-    /// The side of the edge from `a` to `b`.
-    pub fn side(&self, a: DVec3, b: DVec3) -> f64 {
-        self.d.dot(a.cross(b)) + self.m.dot(b - a)
+    /// The same point of R^6 in world coordinates: directions map by the linear part, moments
+    /// about the frame's origin by its cofactors.
+    pub fn world_bivector(&self, x: &Half) -> Bivector {
+        let direction = self.to_world * DVec3::new(x[0], x[1], x[2]);
+        let cofactors = self.to_frame.transpose() * self.to_world.determinant();
+        let moment = cofactors * DVec3::new(x[3], x[4], x[5]);
+        Bivector { direction, moment: moment + self.origin.cross(direction) }
     }
 }
 

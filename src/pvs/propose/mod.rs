@@ -1,10 +1,13 @@
-//! What floats propose: a point of the sequence's cone in R^6 or edges that rule it out, and lines.
-//! Nothing here decides: each proposal goes through an exact check (`pvs::confirm`).
+//! What floats propose: lines, points of a sequence's cone, planes and edges worth looking at.
+//!
+//! Nothing here decides. A proposed line is checked by `sightline`, a set of excluding edges by
+//! `predicates::gordan`, a supporting vertex by the signs of the plane through it.
 
+mod cone;
 mod frame;
 mod line;
 mod norm;
+mod outline;
 
-pub(crate) use frame::{Bivector, Frame, half};
-pub(crate) use line::propose_line;
-pub(crate) use norm::{Half, NormPoint, Outcome, dot};
+pub(crate) use cone::{ConePoint, Proposal, SequenceCone};
+pub(crate) use outline::{Outline, PlaneHints, supporting_vertex};

@@ -13,8 +13,8 @@ pub(crate) type Half = [f64; 6];
 pub(crate) enum Outcome {
     /// Strictly inside all half-spaces, as far as floats can tell.
     Inside(Half),
-    /// The indices of half-spaces that seem to exclude each other, with their weights.
-    Excluded(Vec<(u32, f64)>),
+    /// The indices of half-spaces that seem to exclude each other.
+    Excluded(Vec<u32>),
 }
 
 /// The state of a search; it may be continued when half-spaces are added.
@@ -57,7 +57,7 @@ impl NormPoint {
         for _ in 0..ROUNDS {
             let norm2 = dot(&x, &x);
             if norm2 < NOTHING * NOTHING {
-                return Outcome::Excluded(self.corral.clone());
+                return self.excluded();
             }
             let (least, value) = least(halves, &x);
             if value > 0.0 && (!widest || value > norm2 * 0.98) {
@@ -73,7 +73,11 @@ impl NormPoint {
             }
         }
         let (_, value) = least(halves, &x);
-        if value > 0.0 { Outcome::Inside(x) } else { Outcome::Excluded(self.corral.clone()) }
+        if value > 0.0 { Outcome::Inside(x) } else { self.excluded() }
+    }
+
+    fn excluded(&self) -> Outcome {
+        Outcome::Excluded(self.corral.iter().map(|member| member.0).collect())
     }
 
     /// Moves the weights to the least point of the corral's hull, dropping what gets no weight.
@@ -184,7 +188,7 @@ mod tests {
         match search.search(&halves, true) {
             Outcome::Inside(_) => panic!("opposite half-spaces have no common inside"),
             Outcome::Excluded(set) => {
-                let mut set: Vec<u32> = set.iter().map(|s| s.0).collect();
+                let mut set = set;
                 set.sort_unstable();
                 assert_eq!(set, [2, 6]);
             }

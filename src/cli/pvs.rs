@@ -1,0 +1,161 @@
+//! `stabline pvs`: cell-to-cell visibility.
+
+mod keep;
+mod summary;
+
+use super::exit::{Exit, Failure};
+use super::files::{self, Input};
+use super::progress::{MemoryLimit, ProgressArgs, Watch};
+use crate::pvs::{self, Finished, Options, PartHeader, Shard};
+use crate::report::{InputId, PvsReport};
+use crate::scene::{self, PortalGraph};
+use keep::Keeper;
+use std::path::PathBuf;
+
+/// Compute which cells see which, exactly, with a sightline for every open pair
+///
+/// INPUT is a portal file (`.prt`) or a JSON scene with cells and portals. Without `-o` and
+/// `--npy` a summary is printed; `-o -` prints the whole result.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The portal graph
+    input: PathBuf,
+    /// Write the result (`stabline-pvs/1`) to a file
+    #[arg(short, long, value_name = "OUT.json")]
+    output: Option<PathBuf>,
+    /// Write the matrix as an n x n array of bytes
+    #[arg(long, value_name = "OUT.npy")]
+    npy: Option<PathBuf>,
+    /// Leave the witnesses out of the result
+    #[arg(long)]
+    no_witness: bool,
+    /// How many threads work [default: one a processor]
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+    /// The most portal sequences to visit for one source cell; what is not settled by then is
+    /// undecided
+    #[arg(long, value_name = "SEQUENCES")]
+    budget: Option<u64>,
+    /// Compute only every N-th source cell, from the I-th on; the output is a part, for `--merge`
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    shard: Option<Shard>,
+    /// Take over the finished cells of these parts
+    #[arg(long, value_name = "PART", num_args = 1..)]
+    merge: Vec<PathBuf>,
+    /// Keep finished cells in this folder, and go on from those that are there
+    #[arg(long, value_name = "DIR")]
+    resume: Option<PathBuf>,
+    /// End as an interruption, with the finished cells kept, before using more memory than this
+    /// (such as 500M or 4G)
+    #[arg(long, value_name = "BYTES", value_parser = parse_bytes)]
+    memory_limit: Option<MemoryLimit>,
+    /// Print the summary as JSON
+    #[arg(long)]
+    json: bool,
+    /// Print times, memory and how pairs were settled, to standard error
+    #[arg(long)]
+    stats: bool,
+    #[command(flatten)]
+    progress: ProgressArgs,
+}
+
+fn parse_shard(text: &str) -> Result<Shard, String> {
+    let expected = || format!("expected I/N with I from 1 to N, not {text:?}");
+    let (index, count) = text.split_once('/').ok_or_else(expected)?;
+    let number = |text: &str| text.parse::<u32>().map_err(|_| expected());
+    let (index, count) = (number(index)?, number(count)?);
+    if index == 0 || index > count {
+        return Err(expected());
+    }
+    Ok(Shard { index: index - 1, count })
+}
+
+fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
+    let digits = text.trim_end_matches(['k', 'K', 'M', 'G', 'T']);
+    let unit: u64 = match &text[digits.len()..] {
+        "" => 1,
+        "k" | "K" => 1 << 10,
+        "M" => 1 << 20,
+        "G" => 1 << 30,
+        "T" => 1 << 40,
+        _ => 0,
+    };
+    let bytes = digits.parse::<u64>().ok().and_then(|bytes| bytes.checked_mul(unit));
+    match bytes {
+        Some(bytes) if bytes > 0 => Ok(MemoryLimit(bytes)),
+        Some(_) | None => Err(format!("expected a size such as 500M or 4G, not {text:?}")),
+    }
+}
+
+pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    let mut clock = summary::Clock::start();
+    let input = Input::read(&args.input)?;
+    let graph = scene::read_graph(&input.name, &input.bytes)?;
+    let header = PartHeader {
+        program: PvsReport::this_program(),
+        input: InputId::new(&input.file_name(), &input.bytes),
+        budget: args.budget,
+    };
+    clock.lap("read");
+    let keeper = Keeper::open(&args, &header, &graph)?;
+    let finished = compute(&args, &graph, &keeper)?;
+    clock.lap("search");
+    keeper.check()?;
+    if !finished.is_complete {
+        return keeper.interrupted(&args, &header, &finished);
+    }
+    if args.shard.is_some() {
+        keep::write_part(args.output.as_deref(), &header, &finished.rows)?;
+        return Ok(Exit::Done);
+    }
+    let report = report(&args, &graph, header, &finished);
+    clock.lap("assemble");
+    if let Some(npy) = &args.npy {
+        let bytes = report.matrix.to_npy();
+        files::write(Some(npy), |out| out.write_all(&bytes))?;
+    }
+    if let Some(output) = &args.output {
+        files::write(Some(output), |out| report.write(out))?;
+    }
+    clock.lap("write");
+    let writes_to_stdout =
+        [&args.output, &args.npy].iter().any(|path| path.as_deref() == Some("-".as_ref()));
+    if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
+        files::print(&summary::summary(&graph, &report, &finished, args.json))?;
+    }
+    if args.stats {
+        summary::print_stats(&clock, &graph, &finished);
+    }
+    let undecided = report.matrix.counts().undecided > 0;
+    Ok(if undecided { Exit::Undecided } else { Exit::Done })
+}
+
+fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished, Failure> {
+    let options = Options { budget: args.budget, shard: args.shard.unwrap_or_default() };
+    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(args.threads.unwrap_or(0))
+        .build()
+        .map_err(|error| Failure::usage(format!("--threads: {error}")))?;
+    let done = keeper.done();
+    Ok(pool.install(|| pvs::compute(graph, &options, done, &|row| keeper.keep(row), &watch)))
+}
+
+fn report(
+    args: &Args,
+    graph: &PortalGraph,
+    header: PartHeader,
+    finished: &Finished,
+) -> PvsReport {
+    let wants_witnesses = args.output.is_some() && !args.no_witness;
+    PvsReport {
+        program: header.program,
+        input: header.input,
+        grazing_classified: false,
+        cells: graph.cells.clone(),
+        leaf_to_cell: graph.leaf_to_cell.iter().map(|cell| cell.0).collect(),
+        skew_portals: graph.skew_portals,
+        matrix: pvs::assemble(graph, &finished.rows),
+        witnesses: if wants_witnesses { pvs::witnesses(&finished.rows) } else { Vec::new() },
+    }
+}

@@ -1,0 +1,110 @@
+//! What `stabline pvs` tells of a result and of how it came about.
+
+use crate::pvs::Finished;
+use crate::report::PvsReport;
+use crate::scene::{CellOrder, PortalGraph};
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+/// The time that each stage took.
+pub(super) struct Clock {
+    started: Instant,
+    last: Instant,
+    laps: Vec<(&'static str, Duration)>,
+}
+
+impl Clock {
+    pub(super) fn start() -> Clock {
+        let now = Instant::now();
+        Clock { started: now, last: now, laps: Vec::new() }
+    }
+
+    /// Ends the stage `name`.
+    pub(super) fn lap(&mut self, name: &'static str) {
+        let now = Instant::now();
+        self.laps.push((name, now - self.last));
+        self.last = now;
+    }
+}
+
+/// The summary of a result, as text or as JSON.
+pub(super) fn summary(
+    graph: &PortalGraph,
+    report: &PvsReport,
+    finished: &Finished,
+    json: bool,
+) -> String {
+    let counts = report.matrix.counts();
+    let order = CellOrder::new(graph);
+    let cells = graph.cells.len() as u64;
+    if json {
+        let value = serde_json::json!({
+            "format": "stabline-pvs-summary/1",
+            "input": {"name": report.input.name, "blake3": report.input.blake3},
+            "cells": cells,
+            "portals": graph.portals.len(),
+            "skew_portals": graph.skew_portals,
+            "nonconvex_cells": order.nonconvex_cells,
+            "counts": {
+                "open": counts.open,
+                "not_open": counts.not_open,
+                "undecided": counts.undecided,
+                "diagonal_included": true,
+            },
+            "not_open_by_bound": 2 * finished.settled_by_bound,
+        });
+        return format!("{value:#}\n");
+    }
+    let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
+    let mut text = format!(
+        "{}: {cells} cells, {} portals ({} of the input not planar), {} cells not exactly convex\n",
+        report.input.name,
+        graph.portals.len(),
+        graph.skew_portals,
+        order.nonconvex_cells,
+    );
+    text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
+    text += &format!("not open   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
+    if counts.undecided > 0 {
+        let (undecided, share) = (counts.undecided, percent(counts.undecided));
+        text += &format!("undecided  {undecided:>10}  {share:5.1} %\n");
+    }
+    text + "ordered pairs of cells, each cell with itself included; every open pair has an exact \
+            sightline\n"
+}
+
+/// Prints times, peak memory and how pairs were settled.
+pub(super) fn print_stats(clock: &Clock, graph: &PortalGraph, finished: &Finished) {
+    let tally = &finished.tally;
+    let total = clock.started.elapsed().as_secs_f64();
+    let mut text = format!("total {total:.3} s");
+    for (name, time) in &clock.laps {
+        let seconds = time.as_secs_f64();
+        text += &format!(", {name} {seconds:.3} s ({:.0} %)", 100.0 * seconds / total);
+    }
+    text += &format!(
+        "\npairs of different cells: {} not open by the bound, {} not open by search, \
+         {} open by a known line, {} open by a line proposed, {} open by an exact cone\n",
+        finished.settled_by_bound, tally.refuted, tally.inherited, tally.proposed, tally.cone_open,
+    );
+    text += &format!(
+        "portal sequences: {} visited, {} excluded by their edges, {} exact cones; {} portals\n",
+        tally.visited,
+        tally.excluded,
+        tally.cones,
+        graph.portals.len(),
+    );
+    if let Some(peak) = peak_memory() {
+        text += &format!("peak memory: {:.1} MiB\n", peak as f64 / f64::from(1 << 20));
+    }
+    // Nothing is left to be told if standard error is closed.
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
+/// The most memory that was in use at a time, in bytes, where the system tells.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes << 10)
+}

@@ -1,0 +1,176 @@
+//! All rows of a graph, or a part of them, on any number of threads.
+
+use super::arena::Arena;
+use super::bits::Bits;
+use super::bounds::{Bounds, SharedBounds};
+use super::search::{Limits, Search};
+use super::{Row, Tally};
+use crate::report::Progress;
+use crate::scene::PortalGraph;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+/// What to compute, and within which limits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The most portal sequences to visit for one source cell; pairs not settled by then are
+    /// undecided.
+    pub budget: Option<u64>,
+    /// Which of the rows.
+    pub shard: Shard,
+}
+
+/// A part of the rows: those of the sources whose place in the order of work is `index` modulo
+/// `count`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// From 0 to `count - 1`.
+    pub index: u32,
+    /// At least 1.
+    pub count: u32,
+}
+
+impl Default for Shard {
+    /// All rows.
+    fn default() -> Shard {
+        Shard { index: 0, count: 1 }
+    }
+}
+
+/// What [`compute`] came to.
+#[derive(Clone, Debug, Default)]
+pub struct Finished {
+    /// The finished rows, those given included, in ascending order of their sources.
+    pub rows: Vec<Row>,
+    /// Whether all rows that were asked for are among them.
+    pub is_complete: bool,
+    /// Unordered pairs that the upper bound alone settled as not open.
+    pub settled_by_bound: u64,
+    /// The counts of all rows.
+    pub tally: Tally,
+}
+
+/// Computes the rows of `options.shard`, except those `done` already; `keep` is told of each new
+/// one as it is finished, from any thread.
+///
+/// Runs on rayon's current thread pool. An interrupt through `progress` ends it with the rows
+/// finished so far.
+pub fn compute(
+    graph: &PortalGraph,
+    options: &Options,
+    done: Vec<Row>,
+    keep: &(dyn Fn(&Row) + Sync),
+    progress: &dyn Progress,
+) -> Finished {
+    let arena = Arena::new(graph);
+    progress.begin("upper bound", 1);
+    let bounds = Bounds::new(&arena);
+    progress.advance(1);
+    let plan = Plan::new(&arena, &bounds);
+    let cells = u64::from(arena.cells());
+    let candidates: u64 = plan.sources.iter().map(|source| u64::from(source.wanted.count())).sum();
+    let mut finished = Finished {
+        settled_by_bound: cells * cells.saturating_sub(1) / 2 - candidates,
+        rows: done,
+        ..Finished::default()
+    };
+    let mut is_done = arena.no_cells();
+    finished.rows.iter().for_each(|row| {
+        is_done.insert(row.source.0);
+    });
+    let Shard { index, count } = options.shard;
+    let todo: Vec<&Source> = plan
+        .sources
+        .iter()
+        .skip(index as usize)
+        .step_by(count as usize)
+        .filter(|source| !is_done.has(source.cell))
+        .collect();
+    let rows = rows(&arena, bounds, &todo, options, keep, progress);
+    finished.is_complete = rows.len() == todo.len();
+    finished.rows.extend(rows);
+    finished.rows.sort_unstable_by_key(|row| row.source);
+    finished.rows.iter().for_each(|row| finished.tally.add(&row.tally));
+    finished
+}
+
+/// A source cell and the cells whose visibility from it its row has to settle.
+struct Source {
+    cell: u32,
+    wanted: Bits,
+}
+
+/// Which cell is the source of which pairs.
+struct Plan {
+    /// In the order of work: ascending size of the bound.
+    sources: Vec<Source>,
+}
+
+impl Plan {
+    fn new(arena: &Arena, bounds: &Bounds) -> Plan {
+        let mut sources: Vec<Source> = (0..arena.cells())
+            .into_par_iter()
+            .map(|cell| {
+                let mut wanted = arena.no_cells();
+                for &first in arena.leaving(cell) {
+                    wanted.insert(arena.to(first));
+                    for next in bounds.after(first).iter() {
+                        wanted.insert(arena.to(next));
+                    }
+                }
+                wanted.remove(cell);
+                Source { cell, wanted }
+            })
+            .collect();
+        sources.sort_by_cached_key(|source| (source.wanted.count(), source.cell));
+        let mut earlier = arena.no_cells();
+        for source in &mut sources {
+            // The bound is symmetric, so a pair is wanted by both of its cells or by none.
+            source.wanted.subtract(&earlier);
+            earlier.insert(source.cell);
+        }
+        Plan { sources }
+    }
+}
+
+fn rows(
+    arena: &Arena,
+    bounds: Bounds,
+    todo: &[&Source],
+    options: &Options,
+    keep: &(dyn Fn(&Row) + Sync),
+    progress: &dyn Progress,
+) -> Vec<Row> {
+    let shared = SharedBounds::new(bounds);
+    let stopped = AtomicBool::new(false);
+    let is_interrupted = || {
+        let stop = stopped.load(Relaxed) || progress.is_interrupted();
+        if stop {
+            stopped.store(true, Relaxed);
+        }
+        stop
+    };
+    let limits = Limits { budget: options.budget, is_interrupted: &is_interrupted };
+    let work = |source: &Source| u64::from(source.wanted.count());
+    progress.begin("cells", todo.iter().map(|source| work(source)).sum());
+    let rows: Vec<Option<Row>> = todo
+        .par_iter()
+        .with_max_len(1)
+        .map_init(
+            || Search::new(arena, &shared, &limits),
+            |search, source| {
+                let row = search.row(source.cell, source.wanted.clone())?;
+                // A budget counts sequences, so what others found must not change their number.
+                if options.budget.is_none() {
+                    for other in search.not_open() {
+                        shared.refute(arena, source.cell, other);
+                    }
+                }
+                keep(&row);
+                progress.advance(work(source));
+                Some(row)
+            },
+        )
+        .collect();
+    rows.into_iter().flatten().collect()
+}
