@@ -91,11 +91,17 @@ fn is_permissive(licence: &str) -> bool {
 
 #[test]
 fn packages_are_judged() {
-    let text = "stabline v0.1.0 (x)|MIT OR Apache-2.0\n\
-                cc v1.2.3|MIT OR Apache-2.0 (*)\n\nunicode-ident v1|\
-                (MIT OR Apache-2.0) AND Unicode-3.0\nbad v1|LGPL-3.0-only\nworse v1|MIT AND GPL-2.0\n\
-                old v1|Unlicense/MIT\nnone v1|";
-    let tree = parse(text);
+    let lines = [
+        "stabline v0.1.0 (x)|MIT OR Apache-2.0",
+        "cc v1.2.3|MIT OR Apache-2.0 (*)",
+        "",
+        "unicode-ident v1|(MIT OR Apache-2.0) AND Unicode-3.0",
+        "bad v1|LGPL-3.0-only",
+        "worse v1|MIT AND GPL-2.0",
+        "old v1|Unlicense/MIT",
+        "none v1|",
+    ];
+    let tree = parse(&lines.join("\n"));
     assert_eq!(tree.len(), 7);
     assert_eq!(native(&tree), ["cc"]);
     let refused = not_permissive(&tree);
