@@ -12,19 +12,20 @@ use stabline::oracle::Random;
 use stabline::stab::{Portal3, Stabber};
 use std::hint::black_box;
 
+// The modules below name the library's numbers as their own crate's.
 use stabline::num;
 
 #[path = "../src/stab/cone.rs"]
-#[allow(dead_code, reason = "the bench uses a part of the cone")]
+#[allow(dead_code, unused_imports, reason = "the bench uses a part of the cone, and no tests")]
 mod cone;
 #[path = "../src/stab/mask.rs"]
-#[allow(dead_code, reason = "the bench uses a part of the cone")]
+#[allow(dead_code, unused_imports, reason = "the bench uses a part of the cone, and no tests")]
 mod mask;
 #[path = "../src/stab/ring.rs"]
-#[allow(dead_code, reason = "the bench uses a part of the cone")]
+#[allow(dead_code, unused_imports, reason = "the bench uses a part of the cone, and no tests")]
 mod ring;
 #[path = "../src/stab/wedge.rs"]
-#[allow(dead_code, reason = "the bench uses a part of the cone")]
+#[allow(dead_code, unused_imports, reason = "the bench uses a part of the cone, and no tests")]
 mod wedge;
 
 use cone::Cone;
@@ -41,8 +42,8 @@ impl Ring for f64 {
     fn narrow(value: &Int) -> Option<f64> {
         value.to_f64()
     }
-    fn narrow_to_int(_: &f64) -> Int {
-        unimplemented!("floats are not converted")
+    fn narrow_to_int(value: &f64) -> Int {
+        Int::from(*value as i64)
     }
     fn zero_or_one(one: bool) -> f64 {
         f64::from(u8::from(one))
@@ -73,10 +74,10 @@ impl Ring for f64 {
         *self -= factor * row;
     }
     fn to_int(&self) -> Int {
-        unimplemented!("floats are not converted")
+        Int::from(*self as i64)
     }
-    fn from_int(_: &Int) -> Option<f64> {
-        None
+    fn from_int(value: &Int) -> Option<f64> {
+        value.to_f64()
     }
     fn side(x: &[f64; 6], y: &[f64; 6]) -> f64 {
         (0..6).map(|i| x[i] * y[(i + 3) % 6]).sum()

@@ -28,12 +28,12 @@ pub enum Verdict {
     /// A line is strictly inside every portal.
     Open {
         /// Such a line.
-        witness: Witness,
+        witness: Box<Witness>,
     },
     /// Not open, but a line meets every closed portal in its direction.
     Grazing {
         /// Such a line.
-        touching_line: StabLine,
+        touching_line: Box<StabLine>,
         /// Why no line is strictly inside.
         certificate: Certificate,
     },
@@ -163,12 +163,12 @@ impl Stabber {
     /// What is true of the sequence, with a line or a certificate that shows it.
     pub fn verdict(&self) -> Verdict {
         if let Some(witness) = self.witness() {
-            return Verdict::Open { witness };
+            return Verdict::Open { witness: Box::new(witness) };
         }
         let (portals, orders) = (self.portals(), self.orders());
         let certificate = certificate::of_not_open(&portals, &orders);
         match touching_line(&portals, &orders) {
-            Some(touching_line) => Verdict::Grazing { touching_line, certificate },
+            Some(line) => Verdict::Grazing { touching_line: Box::new(line), certificate },
             None => Verdict::Blocked { certificate },
         }
     }

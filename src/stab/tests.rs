@@ -114,7 +114,7 @@ fn widths_agree<R: Ring>(moment: u32, direction: u32) {
         let (mut exact, mut fixed) = (Cone::<Int>::everything(), Cone::<R>::everything());
         for _ in 0..14 {
             let row: [Int; 6] = std::array::from_fn(|i| {
-                let largest = (Int::from(1) << if i < 3 { moment } else { direction }) - 1;
+                let largest: Int = (Int::from(1) << if i < 3 { moment } else { direction }) - 1;
                 match coin() {
                     0 => -largest,
                     1 => largest,
