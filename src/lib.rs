@@ -12,3 +12,8 @@ pub mod pvs;
 pub mod report;
 pub mod scene;
 pub mod stab;
+
+/// Compiles and runs the README's example.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

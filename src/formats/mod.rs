@@ -4,6 +4,7 @@
 //! about geometry; `scene` makes validated scenes of what comes out. No reader trusts a count in
 //! a header with an allocation.
 
+pub mod blake3;
 pub mod bsp;
 pub mod json;
 pub mod lines;

@@ -13,6 +13,7 @@ mod wire;
 mod write;
 
 use super::Matrix;
+use crate::formats::blake3;
 use crate::num::Number;
 
 pub use read::ReportError;
@@ -66,7 +67,7 @@ pub struct PairWitness {
 impl InputId {
     /// Identifies the input of these bytes.
     pub fn new(name: &str, bytes: &[u8]) -> InputId {
-        InputId { name: name.to_owned(), blake3: blake3::hash(bytes).to_hex().to_string() }
+        InputId { name: name.to_owned(), blake3: blake3::hex(bytes) }
     }
 }
 
