@@ -7,7 +7,9 @@
 mod families;
 mod linear;
 mod polynomial;
+mod pvs;
 mod sequence;
 
 pub use families::{Family, Random, sequence, sequence_2d};
-pub use sequence::{LinePoints, Truth, classify};
+pub use pvs::pvs;
+pub use sequence::{LinePoints, Truth, classify, open_in_order};
