@@ -63,6 +63,7 @@ fn assert_is_twin(matrix: &Matrix, graph: &PortalGraph, name: &str) -> usize {
 #[test]
 fn the_pvs_is_that_of_the_twin() {
     for family in Family::ALL {
+        let start = std::time::Instant::now();
         let (mut open, mut pairs, mut nonconvex, mut ordered) = (0, 0, 0, 0);
         for seed in seeds(1) {
             let name = format!("{family:?} {seed}");
@@ -76,7 +77,8 @@ fn the_pvs_is_that_of_the_twin() {
         }
         println!(
             "{family:?}: {open} of {pairs} pairs open, {nonconvex} cells not convex, \
-             {ordered} pairs of portals need the order"
+             {ordered} pairs of portals need the order, {:?}",
+            start.elapsed()
         );
         assert!(open > 0 && open < pairs, "{family:?} asks nothing");
     }

@@ -131,7 +131,8 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
 }
 
 fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished, Failure> {
-    let options = Options { budget: args.budget, shard: args.shard.unwrap_or_default() };
+    let shard = args.shard.unwrap_or_default();
+    let options = Options { budget: args.budget, shard, ..Options::default() };
     let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.threads.unwrap_or(0))

@@ -5,9 +5,10 @@
 //! edge that crosses consecutive planes strictly in order. The order is asked of every pair of
 //! consecutive portals, convex cells or not, so that nothing rests on what convexity implies.
 //!
-//! A sequence that is not open has no open extension, which is what ends the walk. A line of a
-//! shorter sequence that also stabs the longer one is taken over, which only saves time: it is
-//! checked by the same definition.
+//! A sequence that is not open has no open extension, which is what ends the walk; and a reversed
+//! sequence is open iff the sequence is, so each pair is walked from its lower cell. Two things
+//! only save time: sequences that lead to no cell whose answer is still out are left, and a line
+//! of a shorter sequence is taken over if by the same definition it stabs the longer one.
 //!
 //! Complexity: as many decisions as there are open sequences, times the portals of a cell.
 
@@ -30,9 +31,14 @@ pub fn pvs(graph: &PortalGraph) -> Vec<Vec<bool>> {
     let cells = graph.cells.len();
     let mut open = vec![vec![false; cells]; cells];
     for source in 0..cells {
-        open[source][source] = true;
-        let mut walk = Walk { crossings: &crossings, seen: &mut open[source], crossed: vec![source] };
+        let seen: Vec<bool> = (0..cells).map(|cell| cell <= source).collect();
+        let mut walk = Walk { crossings: &crossings, seen, crossed: vec![source] };
         walk.on(source, &mut Vec::new(), None);
+        open[source][source] = true;
+        for target in source + 1..cells {
+            open[source][target] = walk.seen[target];
+            open[target][source] = walk.seen[target];
+        }
     }
     open
 }
@@ -51,7 +57,8 @@ fn crossings(graph: &PortalGraph) -> Vec<Crossing> {
 /// A walk over the sequences from one cell.
 struct Walk<'a> {
     crossings: &'a [Crossing],
-    seen: &'a mut [bool],
+    /// The cells found open, and those that are not asked about.
+    seen: Vec<bool>,
     /// The cells of the current sequence.
     crossed: Vec<usize>,
 }
@@ -61,7 +68,7 @@ impl<'a> Walk<'a> {
     fn on(&mut self, cell: usize, path: &mut Vec<&'a [BigPoint3]>, line: Option<&Line>) {
         let crossings = self.crossings;
         for crossing in crossings.iter().filter(|crossing| crossing.from == cell) {
-            if self.crossed.contains(&crossing.to) {
+            if self.crossed.contains(&crossing.to) || !self.leads_to_unseen(crossing.to) {
                 continue;
             }
             path.push(&crossing.vertices);
@@ -74,6 +81,24 @@ impl<'a> Walk<'a> {
             }
             path.pop();
         }
+    }
+
+    /// Whether portals lead from `cell`, through cells not crossed yet, to one not seen yet.
+    fn leads_to_unseen(&self, cell: usize) -> bool {
+        let mut reached = vec![cell];
+        let mut next = 0;
+        while let Some(&cell) = reached.get(next) {
+            if !self.seen[cell] {
+                return true;
+            }
+            for crossing in self.crossings.iter().filter(|crossing| crossing.from == cell) {
+                if !self.crossed.contains(&crossing.to) && !reached.contains(&crossing.to) {
+                    reached.push(crossing.to);
+                }
+            }
+            next += 1;
+        }
+        false
     }
 }
 

@@ -119,9 +119,9 @@ fn point(p: [i64; 3]) -> Point {
 type Box3 = [[i64; 2]; 3];
 
 fn rooms(random: &mut Random) -> Graph {
-    let extent = |random: &mut Random| [0, random.between(4, 9)];
+    let extent = |random: &mut Random| [0, random.between(5, 12)];
     let mut boxes: Vec<Box3> = vec![[extent(random), extent(random), extent(random)]];
-    let wanted = random.between(3, 8) as usize;
+    let wanted = random.between(4, 10) as usize;
     for _ in 0..40 {
         let index = random.between(0, boxes.len() as i64 - 1) as usize;
         let axis = random.between(0, 2) as usize;
@@ -160,7 +160,7 @@ fn doors(
         [boxes[0][k][0].max(boxes[1][k][0]), boxes[0][k][1].min(boxes[1][k][1])]
     };
     let ([u0, u1], [v0, v1]) = (common(i), common(j));
-    if u0 >= u1 || v0 >= v1 || random.one_in(8) {
+    if u0 >= u1 || v0 >= v1 || random.one_in(2) {
         return;
     }
     // Two doors lie on either side of a cut, and often touch there.
@@ -185,17 +185,17 @@ fn doors(
     }
 }
 
-/// A part of an interval: all of it, one unit of it, or any.
+/// A part of an interval: rarely all of it, mostly one unit of it.
 fn interval(random: &mut Random, [low, high]: [i64; 2]) -> [i64; 2] {
-    match random.between(0, 3) {
+    match random.between(0, 7) {
         0 => [low, high],
-        1 => {
+        1..6 => {
             let at = random.between(low, high - 1);
             [at, at + 1]
         }
         _ => {
             let a = random.between(low, high - 1);
-            [a, random.between(a + 1, high)]
+            [a, random.between(a + 1, high.min(a + 3))]
         }
     }
 }
@@ -281,7 +281,7 @@ fn subdivision(random: &mut Random, size: i64) -> Graph {
     // Each cell as the planes that it is in front of.
     let mut cells = vec![walls];
     let mut portals: Vec<Portal> = Vec::new();
-    let wanted = random.between(3, 7) as usize;
+    let wanted = random.between(4, 8) as usize;
     for _ in 0..30 {
         let plane = random_plane(random, size);
         let index = random.between(0, cells.len() as i64 - 1) as usize;
@@ -328,7 +328,7 @@ fn random_plane(random: &mut Random, size: i64) -> Plane {
 
 fn convex(random: &mut Random) -> Graph {
     let mut graph = subdivision(random, 3);
-    graph.portals.retain(|_| !random.one_in(10));
+    graph.portals.retain(|_| random.one_in(2));
     for portal in &mut graph.portals {
         portal.polygon = opening(random, &portal.polygon);
     }
@@ -337,9 +337,9 @@ fn convex(random: &mut Random) -> Graph {
 
 /// A convex part of a convex polygon.
 fn opening(random: &mut Random, polygon: &[Point]) -> Vec<Point> {
-    match random.between(0, 3) {
+    match random.between(0, 11) {
         0 => polygon.to_vec(),
-        1 => {
+        1..6 => {
             let count = polygon.len();
             let mut corners = vec![0; count];
             for _ in 0..3 {
@@ -349,14 +349,14 @@ fn opening(random: &mut Random, polygon: &[Point]) -> Vec<Point> {
                 (0..count).filter(|&i| corners[i] == 1).map(|i| polygon[i].clone()).collect();
             if chosen.len() == 3 { chosen } else { polygon[..3].to_vec() }
         }
-        2 => {
-            let share = Rational::new(Int::one(), Int::from(random.between(2, 6)));
+        6..11 => {
+            let share = Rational::new(Int::one(), Int::from(random.between(2, 12)));
             let apex = &polygon[random.between(0, polygon.len() as i64 - 1) as usize];
             let shrunk = |p: &Point| {
                 let arm = minus(p, apex);
                 [0, 1, 2].map(|i| &apex[i] + &share * &arm[i])
             };
-            polygon.iter().map(shrunk).collect()
+            polygon.iter().take(5).map(shrunk).collect()
         }
         _ => clipped(polygon, &random_plane(random, 3)).unwrap_or_else(|| polygon.to_vec()),
     }
@@ -364,10 +364,13 @@ fn opening(random: &mut Random, polygon: &[Point]) -> Vec<Point> {
 
 fn skew(random: &mut Random) -> Graph {
     let mut graph = subdivision(random, 4);
+    for portal in &mut graph.portals {
+        portal.polygon = opening(random, &portal.polygon);
+    }
     // The coarser the grid, the farther from convex.
-    let grid = integer([2, 4, 16][random.between(0, 2) as usize]);
+    let grid = integer([4, 16, 64][random.between(0, 2) as usize]);
     graph = graph.mapped(false, |p| p.each_ref().map(|c| (c * &grid).round()));
-    graph.portals.retain(|_| !random.one_in(10));
+    graph.portals.retain(|_| random.one_in(2));
     with_valid_portals(graph)
 }
 
