@@ -3,11 +3,10 @@
 mod support;
 
 use stabline::pvs::{self, Finished, Options, Part, PartHeader, Row, Shard};
-use stabline::report::{InputId, Matrix, PvsReport, Silent, Verdict};
-use stabline::report::Progress;
+use stabline::report::{InputId, Matrix, Progress, PvsReport, Silent, Verdict};
 use stabline::scene::{PortalGraph, read_graph};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::SeqCst};
 use support::graphs::{Family, Graph};
 use support::{stabline, stderr};
 
@@ -118,17 +117,25 @@ fn shards_together_are_the_whole() {
     }
 }
 
-/// Interrupts when it has been asked some number of times.
+/// Interrupts when it has been asked some number of times since the search began, or at once.
 struct Impatient {
     asked: AtomicU64,
-    patience: u64,
+    patience: Option<u64>,
+    searches: AtomicBool,
 }
 
 impl Progress for Impatient {
-    fn begin(&self, _stage: &str, _total: u64) {}
+    fn begin(&self, stage: &str, _total: u64) {
+        self.searches.store(stage == "cells", SeqCst);
+    }
     fn advance(&self, _steps: u64) {}
     fn is_interrupted(&self) -> bool {
-        self.asked.fetch_add(1, SeqCst) >= self.patience
+        match self.patience {
+            None => true,
+            Some(patience) => {
+                self.searches.load(SeqCst) && self.asked.fetch_add(1, SeqCst) >= patience
+            }
+        }
     }
 }
 
@@ -140,10 +147,11 @@ fn interrupted_and_resumed_is_the_whole() {
         let whole = text(&graph, &compute(&graph, &options, Vec::new()));
         let mut kept: Vec<Row> = Vec::new();
         let mut runs = 0;
-        for patience in 0.. {
+        for patience in std::iter::once(None).chain((0..).map(Some)) {
             let new = Mutex::new(Vec::new());
             let keep = |row: &Row| new.lock().unwrap().push(row.clone());
-            let progress = Impatient { asked: AtomicU64::new(0), patience };
+            let searches = AtomicBool::new(false);
+            let progress = Impatient { asked: AtomicU64::new(0), patience, searches };
             let done = through_text(&kept, &graph);
             let finished = on_threads(2, || pvs::compute(&graph, &options, done, &keep, &progress));
             runs += 1;

@@ -205,3 +205,53 @@ fn verdicts_are_those_of_the_twin() {
         println!("{family:?}: {counts:?} open, grazing, blocked");
     }
 }
+
+/// Whether the line crosses each portal's plane strictly before the next one's, planes that are
+/// one and the same excepted.
+fn crosses_in_order(witness: &Witness, portals: &[Portal3]) -> bool {
+    let [a, b] = &witness.points;
+    let dot = |n: &[Int; 3], p: &[Rational; 3]| -> Rational { (0..3).map(|i| &p[i] * &n[i]).sum() };
+    let d = [0, 1, 2].map(|i| &b[i] - &a[i]);
+    let time = |p: &Portal3| {
+        (Rational::from(p.offset().clone()) - dot(p.normal(), a)) / dot(p.normal(), &d)
+    };
+    portals.windows(2).all(|pair| {
+        let same = pair[0].normal() == pair[1].normal() && pair[0].offset() == pair[1].offset();
+        same || time(&pair[0]) < time(&pair[1])
+    })
+}
+
+#[test]
+fn ordered_witnesses_cross_in_order() {
+    for family in Family::ALL {
+        let mut closed_by_order = 0;
+        for seed in 0..count() {
+            let points = sequence(family, seed);
+            let name = format!("{family:?} {seed}");
+            let portals = validated(&points);
+            let refs: Vec<&Portal3> = portals.iter().collect();
+            let orders: Vec<bool> = (0..portals.len()).map(|i| i > 0).collect();
+            let free = decide_open(&refs, &[]);
+            match decide_open(&refs, &orders) {
+                Some(witness) => {
+                    assert!(passes(&witness, &points), "{name}");
+                    assert!(crosses_in_order(&witness, &portals), "{name}");
+                    assert!(free.is_some(), "{name}: an order more never opens");
+                }
+                None => {
+                    // No line does, so the one found without the order does not keep it.
+                    let kept = free.as_ref().is_some_and(|w| crosses_in_order(w, &portals));
+                    assert!(!kept, "{name}");
+                    closed_by_order += usize::from(free.is_some());
+                    let mut stabber = Stabber::new();
+                    portals.iter().enumerate().for_each(|(i, p)| stabber.push(p, i > 0));
+                    let verdict = stabber.verdict();
+                    if free.is_some() {
+                        assert!(matches!(verdict, Verdict::Grazing { .. }), "{name}");
+                    }
+                }
+            }
+        }
+        println!("{family:?}: {closed_by_order} closed by the order alone");
+    }
+}

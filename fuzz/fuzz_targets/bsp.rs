@@ -16,6 +16,7 @@ fuzz_target!(|bytes: &[u8]| {
             error.kind,
             BspErrorKind::ReadOnlyFormat(_)
                 | BspErrorKind::Overlap(_)
+                | BspErrorKind::NotReadBack
                 | BspErrorKind::LumpOutside { .. }
         )),
     }

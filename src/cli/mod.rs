@@ -15,6 +15,7 @@ mod pvs;
 mod schema;
 mod stab;
 mod transversals;
+mod why;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::{Exit, Failure};
@@ -42,6 +43,7 @@ enum Command {
     Schema(schema::Args),
     Stab(stab::Args),
     Transversals(transversals::Args),
+    Why(why::Args),
 }
 
 impl Command {
@@ -53,6 +55,7 @@ impl Command {
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
+            Command::Why(args) => why::run(args),
         }
     }
 }

@@ -2,13 +2,14 @@
 
 mod keep;
 mod summary;
+mod tree;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
-use crate::pvs::{self, Finished, Options, PartHeader, Shard};
+use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
 use crate::report::{InputId, PvsReport};
-use crate::scene::{self, PortalGraph};
+use crate::scene::{self, CellId, PortalGraph};
 use keep::Keeper;
 use std::path::PathBuf;
 
@@ -26,6 +27,16 @@ pub(super) struct Args {
     /// Write the matrix as an n x n array of bytes
     #[arg(long, value_name = "OUT.npy")]
     npy: Option<PathBuf>,
+    /// Write the stab trees: every open portal sequence from each cell, with a sightline
+    #[arg(long, value_name = "OUT.json")]
+    stab_tree: Option<PathBuf>,
+    /// Only the stab trees of these cells, by number
+    #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
+    from: Vec<u32>,
+    /// Split the pairs that are not open into grazing and blocked (for small graphs, or with
+    /// --budget)
+    #[arg(long)]
+    grazing: bool,
     /// Leave the witnesses out of the result
     #[arg(long)]
     no_witness: bool,
@@ -91,11 +102,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
     let input = Input::read(&args.input)?;
     let graph = scene::read_graph(&input.name, &input.bytes)?;
-    let header = PartHeader {
-        program: PvsReport::this_program(),
-        input: InputId::new(&input.file_name(), &input.bytes),
-        budget: args.budget,
-    };
+    let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;
     let finished = compute(&args, &graph, &keeper)?;
@@ -108,8 +115,18 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         keep::write_part(args.output.as_deref(), &header, &finished.rows)?;
         return Ok(Exit::Done);
     }
-    let report = report(&args, &graph, header, &finished);
+    let mut report = report(&args, &graph, header, &finished);
     clock.lap("assemble");
+    if args.grazing && !classify_grazing(&args, &graph, &mut report)? {
+        return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+    }
+    if let Some(output) = &args.stab_tree {
+        let Some(trees) = stab_trees(&args, &graph)? else {
+            return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+        };
+        files::write(Some(output), |out| tree::write(out, &report.input, &trees))?;
+        clock.lap("stab trees");
+    }
     if let Some(npy) = &args.npy {
         let bytes = report.matrix.to_npy();
         files::write(Some(npy), |out| out.write_all(&bytes))?;
@@ -118,8 +135,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         files::write(Some(output), |out| report.write(out))?;
     }
     clock.lap("write");
-    let writes_to_stdout =
-        [&args.output, &args.npy].iter().any(|path| path.as_deref() == Some("-".as_ref()));
+    let writes_to_stdout = [&args.output, &args.npy, &args.stab_tree]
+        .iter()
+        .any(|path| path.as_deref() == Some("-".as_ref()));
     if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
         files::print(&summary::summary(&graph, &report, &finished, args.json))?;
     }
@@ -130,24 +148,56 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     Ok(if undecided { Exit::Undecided } else { Exit::Done })
 }
 
-fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished, Failure> {
-    let shard = args.shard.unwrap_or_default();
-    let options = Options { budget: args.budget, shard, ..Options::default() };
-    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
+fn part_header(args: &Args, input: &Input) -> PartHeader {
+    PartHeader {
+        program: PvsReport::this_program(),
+        input: InputId::new(&input.file_name(), &input.bytes),
+        budget: args.budget,
+    }
+}
+
+/// Runs `work` on the threads asked for, watched for interrupts.
+fn on_threads<T: Send>(args: &Args, work: impl FnOnce(&Watch) -> T + Send) -> Result<T, Failure> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.threads.unwrap_or(0))
         .build()
         .map_err(|error| Failure::usage(format!("--threads: {error}")))?;
-    let done = keeper.done();
-    Ok(pool.install(|| pvs::compute(graph, &options, done, &|row| keeper.keep(row), &watch)))
+    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
+    Ok(pool.install(|| work(&watch)))
 }
 
-fn report(
+fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished, Failure> {
+    let shard = args.shard.unwrap_or_default();
+    let options = Options { budget: args.budget, shard, ..Options::default() };
+    let keep = |row: &_| keeper.keep(row);
+    on_threads(args, |watch| pvs::compute(graph, &options, keeper.done(), &keep, watch))
+}
+
+/// `false` if interrupted.
+fn classify_grazing(
     args: &Args,
     graph: &PortalGraph,
-    header: PartHeader,
-    finished: &Finished,
-) -> PvsReport {
+    report: &mut PvsReport,
+) -> Result<bool, Failure> {
+    report.grazing_classified = true;
+    let matrix = &mut report.matrix;
+    on_threads(args, |watch| pvs::classify_grazing(graph, matrix, args.budget, watch))
+}
+
+/// `None` if interrupted.
+fn stab_trees(args: &Args, graph: &PortalGraph) -> Result<Option<Vec<StabTree>>, Failure> {
+    let cells = graph.cells.len() as u32;
+    if let Some(cell) = args.from.iter().find(|&&cell| cell >= cells) {
+        return Err(Failure::usage(format!("--from {cell}: expected a cell below {cells}")));
+    }
+    let sources: Vec<CellId> = match args.from.is_empty() {
+        true => (0..cells).map(CellId).collect(),
+        false => args.from.iter().copied().map(CellId).collect(),
+    };
+    on_threads(args, |watch| pvs::stab_trees(graph, &sources, watch))
+}
+
+fn report(args: &Args, graph: &PortalGraph, header: PartHeader, finished: &Finished) -> PvsReport {
     let wants_witnesses = args.output.is_some() && !args.no_witness;
     PvsReport {
         program: header.program,

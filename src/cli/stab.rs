@@ -3,8 +3,9 @@
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use crate::formats::sequence::{SequenceFile, SequencePoints};
-use crate::geom::BigPoint3;
+use crate::geom::{BigPoint2, BigPoint3};
 use crate::report::StabReport;
+use crate::stab::hourglass::Hourglass;
 use crate::stab::{Portal3, Stabber};
 use std::path::PathBuf;
 
@@ -36,12 +37,28 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
             let (verdict, lines) = (stabber.verdict(), stabber.extremal_lines());
             StabReport::new(&verdict, &lines, &denominator, args.lines)
         }
-        SequencePoints::Plane { .. } => {
-            return Err(Failure::file(&input.name, "portals[0]: expected vertices [x, y, z]"));
+        SequencePoints::Plane { denominator, portals } => {
+            if args.lines || args.ordered {
+                return Err(Failure::usage("--lines and --ordered are for sequences in space"));
+            }
+            let hourglass =
+                hourglass(portals).map_err(|error| Failure::file(&input.name, error))?;
+            StabReport::of_plane(&hourglass.verdict(), &denominator)
         }
     };
     let text = if args.json { report.to_json() } else { report.to_text() };
     files::print(&text).map(|()| Exit::Done)
+}
+
+fn hourglass(portals: Vec<[BigPoint2; 2]>) -> Result<Hourglass, String> {
+    let mut hourglass = Hourglass::new();
+    for (index, [left, right]) in portals.into_iter().enumerate() {
+        if left == right {
+            return Err(format!("portals[{index}]: vertex 1 is the same point as vertex 0"));
+        }
+        hourglass.push_big(left, right);
+    }
+    Ok(hourglass)
 }
 
 fn stabber(portals: &[Vec<BigPoint3>], ordered: bool) -> Result<Stabber, String> {

@@ -181,6 +181,9 @@ pub enum BspErrorKind {
     /// The visibility data shares bytes with another lump and cannot be replaced.
     #[error("the visibility data overlaps lump {0}")]
     Overlap(usize),
+    /// What was written would not be what a game reads.
+    #[error("the level's lumps overlap, so that visibility written into it would not read back")]
+    NotReadBack,
     /// The level would outgrow its 31-bit offsets.
     #[error("the level would have {0} bytes, more than its format can address")]
     TooLarge(usize),

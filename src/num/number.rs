@@ -89,8 +89,23 @@ impl From<Rational> for Number {
     }
 }
 
-/// Reads `[+-]digits[.digits]` of at most 18 digits; `None` leaves the text to the general reader.
+/// Reads `[+-]digits[.digits]` and `[-]digits/digits` of at most 18 digits each; `None` leaves the
+/// text to the general reader.
 fn parse_short(text: &[u8]) -> Option<Number> {
+    if let Some(slash) = text.iter().position(|&byte| byte == b'/') {
+        let (numerator, denominator) = (&text[..slash], &text[slash + 1..]);
+        let is_plain = |part: &[u8]| part.iter().all(|byte| !matches!(byte, b'.' | b'+' | b'/'));
+        if !is_plain(numerator) || !is_plain(denominator) {
+            return None;
+        }
+        return match (parse_short(numerator)?, parse_short(denominator)?) {
+            (Number::Small(numerator, 1), Number::Small(denominator @ 1.., 1)) => {
+                let divisor = numerator.gcd(&denominator);
+                Some(Number::Small(numerator / divisor, denominator / divisor))
+            }
+            _ => None,
+        };
+    }
     let (negative, unsigned) = match text.first()? {
         b'-' => (true, &text[1..]),
         b'+' => (false, &text[1..]),
@@ -155,13 +170,20 @@ mod tests {
             "0.56285683454726874605620706",
             "1e-3",
             "7/21",
+            "-7/21",
+            "0/5",
+            "999999999999999999/3",
+            "9999999999999999999/3",
             "-123456789012345678.9",
         ] {
             let number = Number::parse(text).unwrap();
             assert_eq!(number.to_rational(), parse_decimal(text).unwrap(), "{text}");
             assert_eq!(number, Number::from(number.to_rational()), "{text}");
         }
-        for text in ["", "-", ".", "1..2", "nan", "1/0", "--1"] {
+        for text in [
+            "", "-", ".", "1..2", "nan", "1/0", "--1", "1/-2", "1/2/3", "1/", "/1", "1.0/2",
+            "+1/2", "1/+2",
+        ] {
             assert_eq!(
                 Number::parse(text).unwrap_err(),
                 parse_decimal(text).unwrap_err(),

@@ -5,6 +5,8 @@
 //! edge that crosses consecutive planes strictly in order. The order is asked of every pair of
 //! consecutive portals, convex cells or not, so that nothing rests on what convexity implies.
 //!
+//! The same walk tells the pairs that are open or grazing: there the order is not asked.
+//!
 //! A sequence that is not open has no open extension, which is what ends the walk; and a reversed
 //! sequence is open iff the sequence is, so each pair is walked from its lower cell. Two things
 //! only save time: sequences that lead to no cell whose answer is still out are left, and a line
@@ -12,51 +14,71 @@
 //!
 //! Complexity: as many decisions as there are open sequences, times the portals of a cell.
 
-use super::sequence::{LinePoints, open_in_order};
+use super::sequence::{LinePoints, Truth, classify, open_in_order};
 use crate::geom::BigPoint3;
 use crate::num::{Int, Rational};
-use crate::scene::PortalGraph;
 use num_traits::{Signed, Zero};
 
-/// A portal with a direction of crossing: its vertices, and the cell that it enters.
-struct Crossing {
-    vertices: Vec<BigPoint3>,
-    from: usize,
-    to: usize,
+/// A planar convex portal with a direction of crossing.
+#[derive(Clone, Debug)]
+pub struct Gate {
+    /// The cell that a line leaves through it.
+    pub from: usize,
+    /// The cell that a line enters through it.
+    pub to: usize,
+    /// Its vertices, counter-clockwise as seen from the cell that a line enters.
+    pub vertices: Vec<BigPoint3>,
 }
 
-/// Whether each ordered pair of cells is open, row by row. A cell is open to itself.
-pub fn pvs(graph: &PortalGraph) -> Vec<Vec<bool>> {
-    let crossings = crossings(graph);
-    let cells = graph.cells.len();
-    let mut open = vec![vec![false; cells]; cells];
+impl Gate {
+    /// The same portal, crossed the other way.
+    fn reversed(&self) -> Gate {
+        let vertices = self.vertices.iter().rev().cloned().collect();
+        Gate { from: self.to, to: self.from, vertices }
+    }
+}
+
+/// What a walk is after.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Aim {
+    /// Open sequences.
+    Open,
+    /// Open or grazing ones: the order is not asked.
+    Touched,
+}
+
+/// Whether each ordered pair of cells is open, row by row; a cell is open to itself. Each portal
+/// is given in one direction and crossed in both.
+pub fn open_pairs(cells: usize, portals: &[Gate]) -> Vec<Vec<bool>> {
+    pairs(cells, portals, Aim::Open)
+}
+
+/// Whether each ordered pair of cells is open or grazing.
+pub fn touched_pairs(cells: usize, portals: &[Gate]) -> Vec<Vec<bool>> {
+    pairs(cells, portals, Aim::Touched)
+}
+
+fn pairs(cells: usize, portals: &[Gate], aim: Aim) -> Vec<Vec<bool>> {
+    let crossings: Vec<Gate> =
+        portals.iter().flat_map(|portal| [portal.clone(), portal.reversed()]).collect();
+    let mut joined = vec![vec![false; cells]; cells];
     for source in 0..cells {
         let seen: Vec<bool> = (0..cells).map(|cell| cell <= source).collect();
-        let mut walk = Walk { crossings: &crossings, seen, crossed: vec![source] };
+        let mut walk = Walk { aim, crossings: &crossings, seen, crossed: vec![source] };
         walk.on(source, &mut Vec::new(), None);
-        open[source][source] = true;
+        joined[source][source] = true;
         for target in source + 1..cells {
-            open[source][target] = walk.seen[target];
-            open[target][source] = walk.seen[target];
+            joined[source][target] = walk.seen[target];
+            joined[target][source] = walk.seen[target];
         }
     }
-    open
-}
-
-fn crossings(graph: &PortalGraph) -> Vec<Crossing> {
-    let both = graph.portals.iter().flat_map(|portal| {
-        let vertices: Vec<BigPoint3> =
-            portal.vertices.iter().map(|&v| graph.vertices[v as usize].clone()).collect();
-        let [from, to] = [portal.from.0 as usize, portal.to.0 as usize];
-        let reversed = vertices.iter().rev().cloned().collect();
-        [Crossing { vertices, from, to }, Crossing { vertices: reversed, from: to, to: from }]
-    });
-    both.collect()
+    joined
 }
 
 /// A walk over the sequences from one cell.
 struct Walk<'a> {
-    crossings: &'a [Crossing],
+    aim: Aim,
+    crossings: &'a [Gate],
     /// The cells found open, and those that are not asked about.
     seen: Vec<bool>,
     /// The cells of the current sequence.
@@ -73,10 +95,11 @@ impl<'a> Walk<'a> {
             }
             path.push(&crossing.vertices);
             let kept = line.filter(|line| line.stabs(path)).cloned();
-            if let Some(line) = kept.or_else(|| decide(path)) {
+            let line = kept.or_else(|| decide(path));
+            if line.is_some() || (self.aim == Aim::Touched && touches(path)) {
                 self.seen[crossing.to] = true;
                 self.crossed.push(crossing.to);
-                self.on(crossing.to, path, Some(&line));
+                self.on(crossing.to, path, line.as_ref());
                 self.crossed.pop();
             }
             path.pop();
@@ -103,8 +126,18 @@ impl<'a> Walk<'a> {
 }
 
 fn decide(path: &[&[BigPoint3]]) -> Option<Line> {
-    let portals: Vec<Vec<BigPoint3>> = path.iter().map(|portal| portal.to_vec()).collect();
-    open_in_order(&portals).map(|points| Line::through(&points))
+    open_in_order(&owned(path)).map(|points| Line::through(&points))
+}
+
+fn touches(path: &[&[BigPoint3]]) -> bool {
+    match classify(&owned(path)) {
+        Truth::Open(_) | Truth::Grazing(_) => true,
+        Truth::Blocked => false,
+    }
+}
+
+fn owned(path: &[&[BigPoint3]]) -> Vec<Vec<BigPoint3>> {
+    path.iter().map(|portal| portal.to_vec()).collect()
 }
 
 /// A point and a direction.

@@ -29,13 +29,15 @@ pub enum Predicate {
     VertexSideOfPlane,
     CompareAlongLine,
     CompareCrossings,
+    TransversalCount,
+    SideOfTransversals,
 }
 
 /// How often each stage (filter, fixed, big) of each predicate answered.
-pub type Counts = [[u64; 3]; 8];
+pub type Counts = [[u64; 3]; 10];
 
 #[cfg(feature = "counters")]
-static COUNTS: [[AtomicU64; 3]; 8] = [const { [const { AtomicU64::new(0) }; 3] }; 8];
+static COUNTS: [[AtomicU64; 3]; 10] = [const { [const { AtomicU64::new(0) }; 3] }; 10];
 
 /// Counts one answer.
 #[inline(always)]

@@ -35,10 +35,7 @@ const U: f64 = f64::EPSILON / 2.0;
 /// Contract: exact, degree 9, unperturbed
 ///
 /// Source: Gordan 1873; bounds of the filter after Rump 2010 (residual of an approximate inverse).
-pub fn exclude_each_other(
-    lines: &[[Point3; 2]],
-    big: impl Fn() -> Vec<[[Int; 3]; 2]>,
-) -> bool {
+pub fn exclude_each_other(lines: &[[Point3; 2]], big: impl Fn() -> Vec<[[Int; 3]; 2]>) -> bool {
     match exclude_each_other_filter(lines) {
         Some(Sign::Positive) => true,
         Some(Sign::Zero | Sign::Negative) | None => exclude_each_other_exact(&big()),

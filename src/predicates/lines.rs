@@ -78,7 +78,7 @@ fn moment_residues(line: &Line) -> [Residue; 3] {
 
 /// S_h + S_l, as `budget` names them.
 #[inline(always)]
-fn float_side(x: &Line, y: &Line) -> f64 {
+pub(super) fn float_side(x: &Line, y: &Line) -> f64 {
     let [high, low] = plus(
         split_dot(x.paired_direction(), y.split_moment()),
         split_dot(y.paired_direction(), x.split_moment()),

@@ -25,6 +25,7 @@ pub mod counters;
 pub mod filtered;
 pub mod gordan;
 mod lines;
+mod lines4;
 mod meets;
 mod orient;
 mod plane;
@@ -38,6 +39,10 @@ pub use along::{
 };
 pub use budget::{Budget, RANGES, Range};
 pub use lines::{side_of_lines, side_of_lines_big, side_of_lines_exact, side_of_lines_filter};
+pub use lines4::{
+    SIDE_OF_TRANSVERSALS, TRANSVERSAL_COUNT, TransversalCount, side_of_transversals,
+    side_of_transversals_big, transversal_count, transversal_count_big,
+};
 pub use meets::{side_of_meets, side_of_meets_big, side_of_meets_exact, side_of_meets_filter};
 pub use orient::{
     orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact, orient3d_filter,

@@ -274,9 +274,8 @@ impl Arena {
         let coordinates = polygons.iter().flatten().flat_map(|point| &point.coordinates);
         let unit = coordinates.fold(Int::ZERO, |divisor, c| divisor.gcd(c)).max(Int::from(1));
         let portals = polygons.into_iter().map(|polygon| {
-            let coarse = |point: BigPoint3| BigPoint3 {
-                coordinates: point.coordinates.map(|c| c / &unit),
-            };
+            let coarse =
+                |point: BigPoint3| BigPoint3 { coordinates: point.coordinates.map(|c| c / &unit) };
             let polygon: Vec<BigPoint3> = polygon.into_iter().map(coarse).collect();
             Portal3::new(&polygon).expect("a validated graph has planar convex portals")
         });

@@ -17,6 +17,7 @@ use super::bits::{Bits, SharedBits};
 use super::propose::PlaneHints;
 use super::separators::separators;
 use crate::num::Sign;
+use crate::report::Progress;
 use rayon::prelude::*;
 
 /// For each directed portal, those that might be crossed after it.
@@ -27,23 +28,28 @@ pub(crate) struct Bounds {
 /// Narrowing passes; the second removes a tenth of what the first does, a third next to nothing.
 const PASSES: usize = 2;
 
+/// Stages of the computation, for progress: the flood, and the passes.
+pub(crate) const STAGES: u64 = 1 + PASSES as u64;
+
 impl Bounds {
-    pub fn new(arena: &Arena) -> Bounds {
-        let fronts = fronts(arena);
-        let after = (0..arena.directed())
-            .into_par_iter()
-            .map(|portal| flood_planes(arena, &fronts, portal))
-            .collect();
-        let mut bounds = Bounds { after };
-        bounds.make_symmetric();
-        for _ in 0..PASSES {
-            bounds.after = (0..arena.directed())
+    /// Computes the bounds; `None` if interrupted.
+    pub fn new(arena: &Arena, progress: &dyn Progress) -> Option<Bounds> {
+        let rows = |row: &(dyn Fn(Directed) -> Bits + Sync)| -> Option<Vec<Bits>> {
+            (0..arena.directed())
                 .into_par_iter()
-                .map(|portal| bounds.narrowed(arena, portal))
-                .collect();
+                .map(|portal| (!progress.is_interrupted()).then(|| row(portal)))
+                .collect()
+        };
+        let fronts = rows(&|portal| front(arena, portal))?;
+        let mut bounds = Bounds { after: rows(&|portal| flood_planes(arena, &fronts, portal))? };
+        bounds.make_symmetric();
+        progress.advance(1);
+        for _ in 0..PASSES {
+            bounds = Bounds { after: rows(&|portal| bounds.narrowed(arena, portal))? };
             bounds.make_symmetric();
+            progress.advance(1);
         }
-        bounds
+        Some(bounds)
     }
 
     /// The directed portals that might be crossed after `portal`.
@@ -94,28 +100,22 @@ impl Bounds {
     }
 }
 
-/// For each directed portal, the (undirected) portals that reach in front of its plane.
-fn fronts(arena: &Arena) -> Vec<Bits> {
-    (0..arena.directed())
-        .into_par_iter()
-        .map(|portal| {
-            let plane = arena.plane_of(portal);
-            let mut front = Bits::new(arena.directed() as usize / 2);
-            for other in 0..arena.directed() / 2 {
-                let reaches = arena.vertices(2 * other).iter().any(|&vertex| {
-                    match arena.side(plane, vertex) {
-                        Sign::Positive => true,
-                        // Touching the plane from behind does not reach in front of it.
-                        Sign::Zero | Sign::Negative => false,
-                    }
-                });
-                if reaches {
-                    front.insert(other);
-                }
-            }
-            front
-        })
-        .collect()
+/// The (undirected) portals that reach in front of the plane of `portal`.
+fn front(arena: &Arena, portal: Directed) -> Bits {
+    let plane = arena.plane_of(portal);
+    let mut front = Bits::new(arena.directed() as usize / 2);
+    for other in 0..arena.directed() / 2 {
+        let reaches =
+            arena.vertices(2 * other).iter().any(|&vertex| match arena.side(plane, vertex) {
+                Sign::Positive => true,
+                // Touching the plane from behind does not reach in front of it.
+                Sign::Zero | Sign::Negative => false,
+            });
+        if reaches {
+            front.insert(other);
+        }
+    }
+    front
 }
 
 fn flood_planes(arena: &Arena, fronts: &[Bits], portal: Directed) -> Bits {

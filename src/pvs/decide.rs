@@ -84,9 +84,8 @@ impl<'a> Decider<'a> {
             Proposal::Blocking(positions) => members.extend(positions),
             Proposal::Line(line) => {
                 let mut rays = self.cone.roundings(arena, path, &line);
-                let stabbing = |line: Sightline| {
-                    Ray::new(arena, &line).filter(|ray| ray.stabs(arena, path))
-                };
+                let stabbing =
+                    |line: Sightline| Ray::new(arena, &line).filter(|ray| ray.stabs(arena, path));
                 if let Some(ray) = rays.find_map(stabbing) {
                     tally.proposed += 1;
                     let line = ray.sightline();
@@ -151,4 +150,3 @@ fn in_world(witness: Witness, unit: &Rational) -> Sightline {
     let points = witness.points.map(|point| point.map(|c| c * unit));
     Sightline::Rational(Box::new(points))
 }
-

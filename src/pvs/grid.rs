@@ -22,8 +22,7 @@ pub(crate) struct Grid {
 
 impl Grid {
     pub fn new(graph: &PortalGraph) -> Grid {
-        let small: Option<Vec<Point3>> =
-            graph.vertices.iter().map(BigPoint3::to_small).collect();
+        let small: Option<Vec<Point3>> = graph.vertices.iter().map(BigPoint3::to_small).collect();
         let vertices = match small {
             Some(points) => {
                 let budget = Budget::of_points(&points).without_filters();

@@ -22,6 +22,7 @@ mod arena;
 mod bits;
 mod bounds;
 mod decide;
+mod grazing;
 mod grid;
 mod part;
 mod propose;
@@ -29,10 +30,14 @@ mod run;
 mod search;
 mod separators;
 mod sightline;
+mod tree;
 
+pub use grazing::classify_grazing;
 pub use part::{Part, PartError, PartHeader};
-pub use run::{Finished, Options, Shard, compute};
+pub use run::{Explanation, Finished, Options, Shard, compute, explain};
+pub use search::{DeadEnd, DeadEnds};
 pub use sightline::Sightline;
+pub use tree::{StabNode, StabTree, stab_trees};
 
 use crate::report::{Matrix, PairWitness, Verdict};
 use crate::scene::{CellId, PortalGraph};
@@ -60,6 +65,14 @@ pub struct OpenPair {
     pub portals: Vec<u32>,
     /// A line through them.
     pub line: Sightline,
+}
+
+impl OpenPair {
+    /// The same from the other end: `target` is the cell that the line came from.
+    pub fn reversed(mut self, target: CellId) -> OpenPair {
+        self.portals.reverse();
+        OpenPair { target, portals: self.portals, line: self.line.reversed() }
+    }
 }
 
 /// Counts of one row's work, or of many.
@@ -116,11 +129,9 @@ pub fn witnesses(rows: &[Row]) -> Vec<PairWitness> {
 }
 
 fn witness(source: u32, pair: &OpenPair) -> PairWitness {
-    let (target, mut portals) = (pair.target.0, pair.portals.clone());
-    if source < target {
-        return PairWitness { from: source, to: target, portals, line: pair.line.numbers() };
-    }
-    portals.reverse();
-    let line = pair.line.reversed().numbers();
-    PairWitness { from: target, to: source, portals, line }
+    let target = pair.target.0;
+    let pair = pair.clone();
+    let (from, to) = (source.min(target), source.max(target));
+    let pair = if source < target { pair } else { pair.reversed(CellId(source)) };
+    PairWitness { from, to, portals: pair.portals, line: pair.line.numbers() }
 }

@@ -137,10 +137,8 @@ impl Row {
                 Err(error) => Err(format!("a coordinate is {error}")),
             };
             let [[px, py, pz], [qx, qy, qz]] = &mut points;
-            let line = [
-                [number(px)?, number(py)?, number(pz)?],
-                [number(qx)?, number(qy)?, number(qz)?],
-            ];
+            let line =
+                [[number(px)?, number(py)?, number(pz)?], [number(qx)?, number(qy)?, number(qz)?]];
             let line = Sightline::Rational(Box::new(line));
             Ok(OpenPair { target: cell(pair.target)?, portals: pair.portals, line })
         });

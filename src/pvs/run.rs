@@ -2,11 +2,11 @@
 
 use super::arena::Arena;
 use super::bits::Bits;
-use super::bounds::{Bounds, SharedBounds};
-use super::search::{Limits, Search};
-use super::{Row, Tally};
+use super::bounds::{self, Bounds, SharedBounds};
+use super::search::{DeadEnds, Limits, Search};
+use super::{OpenPair, Row, Tally};
 use crate::report::Progress;
-use crate::scene::PortalGraph;
+use crate::scene::{CellId, PortalGraph};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -40,6 +40,68 @@ impl Default for Shard {
     }
 }
 
+/// Why a pair is open or not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Explanation {
+    /// A cell and itself.
+    SameCell,
+    /// A sightline, from the first cell to the second.
+    Open(OpenPair),
+    /// The bound has no way from the one cell to the other.
+    OutOfBound,
+    /// Every sequence that the bound left was refuted.
+    Refuted(DeadEnds),
+}
+
+/// Explains the pair of cells `from` and `to`; `None` if interrupted.
+///
+/// # Panics
+/// If a cell does not exist.
+pub fn explain(
+    graph: &PortalGraph,
+    from: CellId,
+    to: CellId,
+    progress: &dyn Progress,
+) -> Option<Explanation> {
+    let exists = |cell: CellId| (cell.0 as usize) < graph.cells.len();
+    assert!(exists(from) && exists(to), "a cell that does not exist");
+    if from == to {
+        return Some(Explanation::SameCell);
+    }
+    let arena = Arena::new(graph);
+    progress.begin("upper bound", bounds::STAGES);
+    let bounds = Bounds::new(&arena, progress)?;
+    let plan = Plan::new(&arena, &bounds);
+    // The same source as in the whole computation, so the same sightline.
+    let source = plan.sources.iter().find(|source| {
+        let has = |a: CellId, b: CellId| source.cell == a.0 && source.wanted.has(b.0);
+        has(from, to) || has(to, from)
+    });
+    let Some(source) = source else { return Some(Explanation::OutOfBound) };
+    let is_forward = source.cell == from.0;
+    let shared = SharedBounds::new(bounds);
+    let is_interrupted = || progress.is_interrupted();
+    let limits = Limits { budget: None, is_interrupted: &is_interrupted };
+    let mut search = Search::new(&arena, &shared, &limits);
+    let target = if is_forward { to } else { from };
+    // All that the source wants is searched for: what is settled first decides which line settles
+    // the pair.
+    let row = search.row(source.cell, source.wanted.clone())?;
+    let found = row.open.into_iter().find(|pair| pair.target == target);
+    let Some(pair) = found else {
+        let mut only = arena.no_cells();
+        only.insert(target.0);
+        search.row(source.cell, only)?;
+        let dead_ends = search.dead_ends();
+        return Some(Explanation::Refuted(if is_forward {
+            dead_ends
+        } else {
+            dead_ends.reversed()
+        }));
+    };
+    Some(Explanation::Open(if is_forward { pair } else { pair.reversed(CellId(to.0)) }))
+}
+
 /// What [`compute`] came to.
 #[derive(Clone, Debug, Default)]
 pub struct Finished {
@@ -69,9 +131,10 @@ pub fn compute(
         false => Arena::new(graph),
         true => Arena::without_filters(graph),
     };
-    progress.begin("upper bound", 1);
-    let bounds = Bounds::new(&arena);
-    progress.advance(1);
+    progress.begin("upper bound", bounds::STAGES);
+    let Some(bounds) = Bounds::new(&arena, progress) else {
+        return Finished { rows: done, ..Finished::default() };
+    };
     let plan = Plan::new(&arena, &bounds);
     let cells = u64::from(arena.cells());
     let candidates: u64 = plan.sources.iter().map(|source| u64::from(source.wanted.count())).sum();
@@ -92,7 +155,7 @@ pub fn compute(
         .step_by(count as usize)
         .filter(|source| !is_done.has(source.cell))
         .collect();
-    let rows = rows(&arena, bounds, &todo, options, keep, progress);
+    let rows = search(&arena, bounds, &todo, options, keep, progress);
     finished.is_complete = rows.len() == todo.len();
     finished.rows.extend(rows);
     finished.rows.sort_unstable_by_key(|row| row.source);
@@ -139,7 +202,7 @@ impl Plan {
     }
 }
 
-fn rows(
+fn search(
     arena: &Arena,
     bounds: Bounds,
     todo: &[&Source],

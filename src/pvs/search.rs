@@ -43,6 +43,40 @@ pub(crate) struct Limits<'a> {
     pub is_interrupted: &'a (dyn Fn() -> bool + Sync),
 }
 
+/// Why a sequence was left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DeadEnd {
+    /// No portal that might follow has a way to a wanted cell.
+    NoWay,
+    /// Some edges of its portals exclude each other.
+    Excluded,
+    /// It was decided, and is not open.
+    NotOpen,
+}
+
+/// The sequences that a search had to leave.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DeadEnds {
+    /// How many were left because nothing that follows leads on.
+    pub no_way: u64,
+    /// How many were left because edges exclude each other.
+    pub excluded: u64,
+    /// How many were decided and are not open.
+    pub not_open: u64,
+    /// A longest one, by the input's numbers of its portals, and why it was left.
+    pub longest: Option<(Vec<u32>, DeadEnd)>,
+}
+
+impl DeadEnds {
+    /// The same as seen from the other end.
+    pub fn reversed(mut self) -> DeadEnds {
+        if let Some((portals, _)) = &mut self.longest {
+            portals.reverse();
+        }
+        self
+    }
+}
+
 /// How often, in visited sequences, an interrupt is looked for.
 const INTERRUPT_INTERVAL: u64 = 256;
 
@@ -84,6 +118,8 @@ pub(crate) struct Search<'a> {
     goals: Bits,
     goal_portals: Bits,
     stack: Vec<u32>,
+    dead_ends: DeadEnds,
+    longest: Option<(Vec<Directed>, DeadEnd)>,
 }
 
 impl<'a> Search<'a> {
@@ -108,6 +144,8 @@ impl<'a> Search<'a> {
             goals: arena.no_cells(),
             goal_portals: arena.no_portals(),
             stack: Vec::new(),
+            dead_ends: DeadEnds::default(),
+            longest: None,
         }
     }
 
@@ -118,6 +156,8 @@ impl<'a> Search<'a> {
         self.row.tally.candidates = u64::from(wanted.count());
         self.wanted = wanted;
         self.ended = Ended::Not;
+        self.dead_ends = DeadEnds::default();
+        self.longest = None;
         self.crossed.insert(source);
         for &first in self.arena.leaving(source) {
             self.visit(first);
@@ -143,16 +183,36 @@ impl<'a> Search<'a> {
             return;
         }
         self.push(next);
-        if self.might_reach_wanted(next) && self.may_go_on(next) {
-            let arena = self.arena;
-            for &child in arena.leaving(arena.to(next)) {
-                let level = &self.levels[self.path.len() - 1];
-                if level.might.has(child) && !self.crossed.has(arena.to(child)) {
-                    self.visit(child);
-                }
-            }
+        let left = match self.might_reach_wanted(next) {
+            false => Some(DeadEnd::NoWay),
+            true => self.leave_or_settle(next),
+        };
+        match left {
+            Some(dead_end) => self.note(dead_end),
+            None => self.visit_children(next),
         }
         self.pop();
+    }
+
+    fn visit_children(&mut self, next: Directed) {
+        let arena = self.arena;
+        for &child in arena.leaving(arena.to(next)) {
+            let level = &self.levels[self.path.len() - 1];
+            if level.might.has(child) && !self.crossed.has(arena.to(child)) {
+                self.visit(child);
+            }
+        }
+    }
+
+    fn note(&mut self, dead_end: DeadEnd) {
+        *match dead_end {
+            DeadEnd::NoWay => &mut self.dead_ends.no_way,
+            DeadEnd::Excluded => &mut self.dead_ends.excluded,
+            DeadEnd::NotOpen => &mut self.dead_ends.not_open,
+        } += 1;
+        if self.longest.as_ref().is_none_or(|(path, _)| path.len() < self.path.len()) {
+            self.longest = Some((self.path.clone(), dead_end));
+        }
     }
 
     fn is_over(&mut self) -> bool {
@@ -275,26 +335,38 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Whether the sequence that now ends with `next` may be open, as far as it has to be known;
-    /// settles the cell it enters, if that is wanted and the sequence is open.
-    fn may_go_on(&mut self, next: Directed) -> bool {
+    /// Why the sequence that now ends with `next` is left, as far as that has to be known; settles
+    /// the cell it enters, if that is wanted and the sequence is open.
+    fn leave_or_settle(&mut self, next: Directed) -> Option<DeadEnd> {
         let cell = self.arena.to(next);
         let tally = &mut self.row.tally;
         if !self.decider.extend(&self.path, tally) {
-            return false;
+            return Some(DeadEnd::Excluded);
         }
         if !self.wanted.has(cell) {
-            return true;
+            return None;
         }
         match self.decider.decide(&self.path, tally) {
-            Decision::NotOpen => false,
+            Decision::NotOpen => Some(DeadEnd::NotOpen),
             Decision::Open(line) => {
                 self.wanted.remove(cell);
-                let portals = self.path.iter().map(|&portal| self.arena.source(portal)).collect();
+                let portals = self.portals_of(&self.path);
                 self.row.open.push(OpenPair { target: CellId(cell), portals, line });
-                true
+                None
             }
         }
+    }
+
+    /// The input's numbers of the portals of a path.
+    fn portals_of(&self, path: &[Directed]) -> Vec<u32> {
+        path.iter().map(|&portal| self.arena.source(portal)).collect()
+    }
+
+    /// What the last row had to leave.
+    pub fn dead_ends(&self) -> DeadEnds {
+        let longest = self.longest.as_ref();
+        let longest = longest.map(|(path, dead_end)| (self.portals_of(path), *dead_end));
+        DeadEnds { longest, ..self.dead_ends.clone() }
     }
 }
 
@@ -313,4 +385,3 @@ impl Tally {
         self.cone_open += cone_open;
     }
 }
-

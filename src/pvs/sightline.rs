@@ -37,8 +37,9 @@ impl Sightline {
     /// The two points, exact.
     pub fn numbers(&self) -> [[Number; 3]; 2] {
         match self {
-            Sightline::Dyadic { points, bits } => points
-                .map(|point| point.map(|c| Number::ratio(c.into(), 1i128 << bits))),
+            Sightline::Dyadic { points, bits } => {
+                points.map(|point| point.map(|c| Number::ratio(c.into(), 1i128 << bits)))
+            }
             Sightline::Rational(points) => {
                 points.as_ref().clone().map(|point| point.map(Number::from))
             }
@@ -99,9 +100,9 @@ impl Ray {
         }
         let scale = Int::from(1u64 << self.bits);
         let planes = [first, second].map(|portal| arena.exact_plane_of(portal, &scale));
-        let [p, q] = self.points.map(|point| BigPoint3 {
-            coordinates: point.map(|c| arena.grid().denominator() * c),
-        });
+        let [p, q] = self
+            .points
+            .map(|point| BigPoint3 { coordinates: point.map(|c| arena.grid().denominator() * c) });
         match compare_crossings_big(&p, &q, &planes[0], &planes[1]) {
             Some(Sign::Positive) => true,
             // Both at one point: the order of crossing is not strict.

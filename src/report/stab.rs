@@ -2,7 +2,9 @@
 //!
 //! All coordinates are those of the input file: grid units divided by the denominator.
 
+use crate::geom::BigPoint2;
 use crate::num::{Int, Rational, Sign, Surd};
+use crate::stab::hourglass::{End, EndTerm, PlaneVerdict};
 use crate::stab::{Certificate, Condition, ExtremalLine, StabLine, Verdict, Witness};
 use num_traits::ToPrimitive;
 use schemars::JsonSchema;
@@ -22,8 +24,8 @@ pub struct StabReport {
     touching_line: Option<[Vec<Number>; 2]>,
     /// Why the sequence is not open.
     certificate: Option<CertificateReport>,
-    /// How many extremal stabbing lines there are.
-    extremal_lines: usize,
+    /// How many extremal stabbing lines there are; not counted in the plane.
+    extremal_lines: Option<usize>,
     /// The extremal stabbing lines, where they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     lines: Option<Vec<LineReport>>,
@@ -88,6 +90,16 @@ enum ConditionReport {
     Edge(usize),
     /// Cross this portal after that one.
     After(usize),
+    /// In the plane: leave this end on its side.
+    End(EndName),
+}
+
+/// One end of a segment, as the line sees it.
+#[derive(Clone, Copy, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum EndName {
+    Left,
+    Right,
 }
 
 /// An extreme ray of the cone.
@@ -146,8 +158,41 @@ impl StabReport {
             witness: witness.map(|w| world_ratios(w, denominator)),
             touching_line: touching_line.map(|line| world_numbers(line, denominator)),
             certificate,
-            extremal_lines: lines.len(),
+            extremal_lines: Some(lines.len()),
             lines: list.then(|| lines.iter().map(|line| line_report(line, denominator)).collect()),
+        }
+    }
+
+    /// The report of a sequence of segments in the plane.
+    pub fn of_plane(verdict: &PlaneVerdict, denominator: &Int) -> StabReport {
+        let ratio = |c: &Rational| Ratio((c / denominator).to_string());
+        let number = |c: &Int| number(&Surd::from(Rational::new(c.clone(), denominator.clone())));
+        let line = |points: &[BigPoint2; 2]| {
+            points.each_ref().map(|p| p.coordinates.iter().map(number).collect())
+        };
+        let terms = |terms: &[EndTerm]| CertificateReport::Gordan {
+            terms: terms.iter().map(end_report).collect(),
+        };
+        let (verdict, witness, touching_line, certificate) = match verdict {
+            PlaneVerdict::Open(witness) => {
+                let points = witness.points.each_ref().map(|p| p.iter().map(ratio).collect());
+                (VerdictName::Open, Some(points), None, None)
+            }
+            PlaneVerdict::Grazing { touching_line, certificate } => {
+                (VerdictName::Grazing, None, Some(line(touching_line)), Some(terms(certificate)))
+            }
+            PlaneVerdict::Blocked { certificate } => {
+                (VerdictName::Blocked, None, None, Some(terms(certificate)))
+            }
+        };
+        StabReport {
+            format: "stabline-stab/1",
+            verdict,
+            witness,
+            touching_line,
+            certificate,
+            extremal_lines: None,
+            lines: None,
         }
     }
 
@@ -177,7 +222,9 @@ impl StabReport {
         if let Some(certificate) = &self.certificate {
             text.push_str(&certificate_text(certificate));
         }
-        text.push_str(&format!("extremal lines {}\n", self.extremal_lines));
+        if let Some(count) = self.extremal_lines {
+            text.push_str(&format!("extremal lines {count}\n"));
+        }
         for line in self.lines.iter().flatten() {
             let edges = line.edges.iter().map(|e| format!("{}.{}", e.portal, e.edge));
             let edges = edges.collect::<Vec<_>>().join(" ");
@@ -220,6 +267,15 @@ fn integer(value: &Int) -> Integer {
 fn line_report(line: &ExtremalLine, denominator: &Int) -> LineReport {
     let edges = line.edges.iter().map(|e| EdgeReport { portal: e.portal, edge: e.edge });
     LineReport { edges: edges.collect(), points: world_numbers(&line.line, denominator) }
+}
+
+fn end_report(term: &EndTerm) -> TermReport {
+    let end = match term.end {
+        End::Left => EndName::Left,
+        End::Right => EndName::Right,
+    };
+    let what = ConditionReport::End(end);
+    TermReport { portal: term.portal, what, weight: integer(&term.weight) }
 }
 
 fn certificate_report(certificate: &Certificate, denominator: &Int) -> CertificateReport {
@@ -297,6 +353,8 @@ fn certificate_text(certificate: &CertificateReport) -> String {
                     ConditionReport::After(before) => {
                         format!("portal {} after {before}", term.portal)
                     }
+                    ConditionReport::End(EndName::Left) => format!("left end {}", term.portal),
+                    ConditionReport::End(EndName::Right) => format!("right end {}", term.portal),
                 };
                 format!("gordan {} x {what}\n", integer_text(&term.weight))
             };

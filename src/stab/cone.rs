@@ -44,7 +44,25 @@ pub(super) enum Push {
 pub(super) struct Ray<R> {
     pub(super) vector: [R; 6],
     pub(super) tight: Mask,
-    basis: Vec<u16>,
+    basis: Basis,
+}
+
+/// Up to five rows.
+#[derive(Clone, Copy, Debug, Default)]
+struct Basis {
+    rows: [u32; 5],
+    len: usize,
+}
+
+impl Basis {
+    fn push(&mut self, row: usize) {
+        self.rows[self.len] = u32::try_from(row).expect("a cone has fewer than 2^32 rows");
+        self.len += 1;
+    }
+
+    fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        self.rows[..self.len].iter().map(|&row| row as usize)
+    }
 }
 
 /// A polyhedral cone in R^6, given by half-spaces through the origin.
@@ -52,7 +70,8 @@ pub(super) struct Ray<R> {
 pub(super) struct Cone<R: Ring> {
     /// The half-spaces that cut the cone when they were pushed; the others are implied.
     rows: Vec<[R::Narrow; 6]>,
-    base: Vec<u16>,
+    /// Invariant: at most five while there are rays to come; all six once the cone is pointed.
+    base: Vec<usize>,
     free: Vec<usize>,
     lineality: Vec<[R; 6]>,
     rays: Vec<Ray<R>>,
@@ -81,6 +100,11 @@ impl<R: Ring> Cone<R> {
         &self.lineality
     }
 
+    /// Bytes kept for rows and rays, digits of unbounded integers not counted.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(self.rows.as_slice()) + size_of_val(self.rays.as_slice())
+    }
+
     /// The same cone in another arithmetic. Requires: its rows and rays fit there.
     pub(super) fn converted<S: Ring>(&self) -> Cone<S> {
         let wide = |v: &[R; 6]| v.each_ref().map(|c| S::from_int(&c.to_int()).expect("a ray fits"));
@@ -88,7 +112,7 @@ impl<R: Ring> Cone<R> {
         let ray = |ray: &Ray<R>| Ray {
             vector: wide(&ray.vector),
             tight: ray.tight.clone(),
-            basis: ray.basis.clone(),
+            basis: ray.basis,
         };
         Cone {
             rows: self.rows.iter().map(|row| row.each_ref().map(narrow)).collect(),
@@ -125,22 +149,24 @@ impl<R: Ring> Cone<R> {
         self.rows.push(row.clone());
         for at in 0..self.rays.len() {
             let mut ray = self.rays[at].clone();
-            ray.basis.push(bit as u16);
+            ray.basis.push(bit);
             // Modulo the old lineality space the ray stays what it was, so the rows on which it
             // was positive tell which of the two opposite solutions it is.
             let witness = (0..bit).find(|&row| !ray.tight.contains(row));
             let witness = witness.expect("an extreme ray is positive on some row");
-            ray.vector = self.solved(&ray.basis, &self.free, witness);
+            ray.vector = self.solved(ray.basis.rows(), &self.free, witness);
             ray.tight.insert(bit);
             self.rays[at] = ray;
         }
-        self.rays.push(Ray { vector: line, tight: Mask::first(bit), basis: self.base.clone() });
-        self.base.push(bit as u16);
+        let mut basis = Basis::default();
+        self.base.iter().for_each(|&row| basis.push(row));
+        self.rays.push(Ray { vector: line, tight: Mask::first(bit), basis });
+        self.base.push(bit);
         self.lineality = (0..self.free.len())
             .map(|j| {
                 let mut others = self.free.clone();
                 others.remove(j);
-                self.product(&self.base, &others).orthogonal()
+                self.product(self.base.iter().copied(), &others).orthogonal()
             })
             .collect();
     }
@@ -149,11 +175,12 @@ impl<R: Ring> Cone<R> {
     fn cut(&mut self, row: &[R::Narrow; 6], signs: &[Sign]) {
         let bit = self.rows.len();
         self.rows.push(row.clone());
+        let blocks = self.blocks();
         let of = |sign: Sign| (0..signs.len()).filter(move |&i| signs[i] == sign);
         let mut fresh = Vec::new();
         for i in of(Sign::Positive) {
             for j in of(Sign::Negative) {
-                if let Some(common) = self.face_between(i, j) {
+                if let Some(common) = self.face_between(i, j, &blocks) {
                     fresh.push(self.crossing(i, j, &common, bit));
                 }
             }
@@ -175,32 +202,52 @@ impl<R: Ring> Cone<R> {
         self.rays.append(&mut fresh);
     }
 
-    /// The rows on which both rays are tight, where the rays span a 2-face.
-    pub(super) fn face_between(&self, i: usize, j: usize) -> Option<Mask> {
-        let common = self.rays[i].tight.intersection(&self.rays[j].tight);
+    /// The rows on which both rays are tight, where the rays span a 2-face. `blocks` are the rays'
+    /// tight rows ([`Cone::blocks`]).
+    pub(super) fn face_between(&self, i: usize, j: usize, blocks: &[u128]) -> Option<Mask> {
         // A 2-face, modulo the lineality space, is the zero of 4 - k independent rows.
-        if common.len() + self.lineality.len() < 4 {
-            return None;
-        }
-        let mut others = self.rays.iter().enumerate().filter(|&(k, _)| k != i && k != j);
-        (!others.any(|(_, ray)| common.is_subset_of(&ray.tight))).then_some(common)
+        let (first, second) = (&self.rays[i].tight, &self.rays[j].tight);
+        let needed = 4usize.saturating_sub(self.lineality.len());
+        let tight_on_both = match (blocks.get(i), blocks.get(j)) {
+            (Some(first), Some(second)) => {
+                let common = first & second;
+                if (common.count_ones() as usize) < needed {
+                    return None;
+                }
+                blocks.iter().filter(|&&block| common & !block == 0).take(3).count()
+            }
+            _ => {
+                let common = first.intersection(second);
+                if common.len() < needed {
+                    return None;
+                }
+                self.rays.iter().filter(|ray| common.is_subset_of(&ray.tight)).take(3).count()
+            }
+        };
+        // The two rays themselves, and no third one.
+        (tight_on_both == 2).then(|| first.intersection(second))
+    }
+
+    /// The tight rows of each ray, side by side; empty where there are more than 128 rows.
+    pub(super) fn blocks(&self) -> Vec<u128> {
+        self.rays.iter().map(|ray| ray.tight.one_block()).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// The ray in which row `bit` cuts the 2-face between rays `i` (positive) and `j` (negative).
     fn crossing(&self, i: usize, j: usize, common: &Mask, bit: usize) -> Ray<R> {
         let needed = 4 - self.lineality.len();
         // Rows of the two bases come first: those of one ray are independent by themselves.
-        let shared = self.rays[i].basis.iter().copied().filter(|&r| common.contains(r.into()));
-        let shared: Vec<u16> = shared.collect();
-        let rest = common.members().map(|r| r as u16).filter(|r| !shared.contains(r));
-        let start = self.product(&[], &self.free);
+        let shared = || self.rays[i].basis.rows().filter(|&row| common.contains(row));
+        let rest = common.members().filter(|&row| shared().all(|other| other != row));
+        let start = self.product(std::iter::empty(), &self.free);
         let mut product = start.extended(&self.rows[bit]).expect("the row is not in the lineality");
-        let mut basis = vec![bit as u16];
-        for row in shared.iter().copied().chain(rest) {
-            if basis.len() > needed {
+        let mut basis = Basis::default();
+        basis.push(bit);
+        for row in shared().chain(rest) {
+            if basis.len > needed {
                 break;
             }
-            if let Some(longer) = product.extended(&self.rows[usize::from(row)]) {
+            if let Some(longer) = product.extended(&self.rows[row]) {
                 product = longer;
                 basis.push(row);
             }
@@ -218,19 +265,16 @@ impl<R: Ring> Cone<R> {
     }
 
     /// The exterior product of some rows and of the unit vectors of some coordinates.
-    fn product(&self, rows: &[u16], free: &[usize]) -> Wedge<R> {
-        let unit = |i: usize| {
-            let zero_or_one = |j: usize| crate::num::Int::from(u8::from(i == j));
-            std::array::from_fn(|j| R::narrow(&zero_or_one(j)).expect("0 and 1 always fit"))
-        };
+    fn product(&self, rows: impl Iterator<Item = usize>, free: &[usize]) -> Wedge<R> {
+        let unit = |i: usize| std::array::from_fn(|j| R::zero_or_one(i == j));
         let units = free.iter().map(|&i| unit(i));
-        let rows = rows.iter().map(|&row| self.rows[usize::from(row)].clone());
+        let rows = rows.map(|row| self.rows[row].clone());
         let product = units.chain(rows).try_fold(Wedge::empty(), |w, row| w.extended(&row));
         product.expect("a basis is independent of its rows and of the free coordinates")
     }
 
     /// The vector that vanishes on `rows` and `free` and is positive on row `witness`.
-    fn solved(&self, rows: &[u16], free: &[usize], witness: usize) -> [R; 6] {
+    fn solved(&self, rows: impl Iterator<Item = usize>, free: &[usize], witness: usize) -> [R; 6] {
         let mut vector = self.product(rows, free).orthogonal();
         self.orient(&mut vector, witness);
         vector

@@ -5,8 +5,10 @@
 //! that serves; a search that pops returns to the narrower cone of the level before.
 
 use super::cone::{Cone, Push};
+use super::line::ExactLine;
 use super::quadric::{BothSigns, Vector, signs_on_edges};
 use super::ring::Ring;
+use super::stabber::ConeShape;
 use crate::num::{Int, Int192, Int256, Int320};
 
 /// A cone in one of the arithmetics.
@@ -115,12 +117,27 @@ impl Engine {
         each!(self, cone => cone.lineality().iter().map(unbounded).collect())
     }
 
+    /// How large the cone is.
+    pub(super) fn shape(&self) -> ConeShape {
+        let (rays, faces) = (self.rays(), self.faces());
+        let crossings = faces.iter().map(|&[i, j]| ExactLine::between(&rays[i], &rays[j]).len());
+        ConeShape {
+            rays: rays.len(),
+            faces: faces.len(),
+            crossings: crossings.sum(),
+            lineality: self.lineality().len(),
+            bits: rays.iter().flatten().map(Int::bits).max().unwrap_or(0),
+            bytes: each!(self, cone => cone.bytes()),
+        }
+    }
+
     /// The pairs of rays that span the 2-faces.
     pub(super) fn faces(&self) -> Vec<[usize; 2]> {
         fn pairs<R: Ring>(cone: &Cone<R>) -> Vec<[usize; 2]> {
             let count = cone.rays().len();
             let all = (0..count).flat_map(|i| (i + 1..count).map(move |j| [i, j]));
-            all.filter(|&[i, j]| cone.face_between(i, j).is_some()).collect()
+            let blocks = cone.blocks();
+            all.filter(|&[i, j]| cone.face_between(i, j, &blocks).is_some()).collect()
         }
         each!(self, cone => pairs(cone))
     }

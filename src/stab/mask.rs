@@ -36,10 +36,22 @@ impl Mask {
     }
 
     pub(super) fn intersection(&self, other: &Mask) -> Mask {
-        Mask {
-            low: self.low & other.low,
-            high: self.high.iter().zip(&other.high).map(|(a, b)| a & b).collect(),
+        let low = self.low & other.low;
+        if self.high.is_empty() || other.high.is_empty() {
+            return Mask { low, high: Vec::new() };
         }
+        Mask { low, high: self.high.iter().zip(&other.high).map(|(a, b)| a & b).collect() }
+    }
+
+    /// How many members the two sets share.
+    pub(super) fn common(&self, other: &Mask) -> usize {
+        let high = self.high.iter().zip(&other.high).map(|(a, b)| (a & b).count_ones());
+        ((self.low & other.low).count_ones() + high.sum::<u32>()) as usize
+    }
+
+    /// The set's bits, where none is 128 or more.
+    pub(super) fn one_block(&self) -> Option<u128> {
+        self.high.is_empty().then_some(self.low)
     }
 
     pub(super) fn is_subset_of(&self, other: &Mask) -> bool {

@@ -2,13 +2,15 @@
 //!
 //! [`Stabber`] keeps the cone of a growing sequence of portals in space; its verdict is open (with
 //! a rational witness), grazing (with a touching line) or blocked, each of the last two with a
-//! certificate. [`transversals`] answers four given lines.
+//! certificate. [`hourglass`] does the same for segments in the plane, and [`transversals`]
+//! answers four given lines.
 
 mod certificate;
 mod cone;
 mod engine;
 mod extremal;
 mod grazing;
+pub mod hourglass;
 mod line;
 mod mask;
 mod quadric;
@@ -25,5 +27,5 @@ pub use certificate::{Certificate, Condition, ConeSigns, Term};
 pub use extremal::{EdgeName, ExtremalLine};
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
-pub use stabber::{Stabber, Verdict, decide_open};
+pub use stabber::{ConeShape, Stabber, Verdict, decide_open};
 pub use witness::Witness;

@@ -69,7 +69,7 @@ pub(super) fn signs_on_edges<R: Ring>(cone: &Cone<R>) -> BothSigns {
                 return signs;
             }
             // Adjacent rays share four rows; whether the others are adjacent does not matter.
-            if rays[i].tight.intersection(&rays[j].tight).len() >= 4 {
+            if rays[i].tight.common(&rays[j].tight) >= 4 {
                 let rs = R::side(&rays[i].vector, &rays[j].vector);
                 // Where the rays meet (zero), Q on the edge is a sum of its values on them.
                 let Some(place) = signs.missing(R::sign_of(&rs)) else { continue };
@@ -141,10 +141,10 @@ fn look_behind(signs: &mut BothSigns, triple: [&Vector; 3], rows: &[(Vector, boo
     };
     if let Some(x) = complement_vector(triple, wanted) {
         for x in [x.clone(), x.map(|c| -c)] {
-            if rows.iter().all(|(row, _)| Sign::of(&pairing(row, &x)) != Sign::Negative) {
-                if let Some(place) = signs.missing(wanted) {
-                    *place = Some(x);
-                }
+            if rows.iter().all(|(row, _)| Sign::of(&pairing(row, &x)) != Sign::Negative)
+                && let Some(place) = signs.missing(wanted)
+            {
+                *place = Some(x);
             }
         }
     }
@@ -195,19 +195,15 @@ fn null_space(rows: [&Vector; 3]) -> Option<[Vector; 3]> {
     let mut product = start.clone();
     let mut free = Vec::new();
     for axis in 0..6 {
-        if free.len() < 2 || product.grade() < 5 {
-            if let Some(longer) = product.extended(&unit(axis)) {
-                product = longer;
-                free.push(axis);
-            }
+        if product.grade() < 5
+            && let Some(longer) = product.extended(&unit(axis))
+        {
+            product = longer;
+            free.push(axis);
         }
     }
-    let last = (0..6).find(|&axis| {
-        !free.contains(&axis) && {
-            let vector = product.orthogonal();
-            vector[axis] != Int::ZERO
-        }
-    })?;
+    let vector = product.orthogonal();
+    let last = (0..6).find(|&axis| vector[axis] != Int::ZERO)?;
     free.push(last);
     let direction = |skip: usize| -> Option<Vector> {
         let held = free.iter().enumerate().filter(|&(k, _)| k != skip).map(|(_, &axis)| axis);

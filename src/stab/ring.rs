@@ -25,6 +25,8 @@ pub(super) trait Ring: Clone + std::fmt::Debug {
     /// The integer as a coordinate of a constraint, where it fits.
     fn narrow(value: &Int) -> Option<Self::Narrow>;
     fn narrow_to_int(value: &Self::Narrow) -> Int;
+    fn zero_or_one(one: bool) -> Self::Narrow;
+    fn narrow_is_zero(value: &Self::Narrow) -> bool;
     fn zero() -> Self;
     fn one() -> Self;
     fn is_zero(&self) -> bool;
@@ -55,6 +57,14 @@ impl Ring for Int {
 
     fn narrow_to_int(value: &Int) -> Int {
         value.clone()
+    }
+
+    fn zero_or_one(one: bool) -> Int {
+        Int::from(u8::from(one))
+    }
+
+    fn narrow_is_zero(value: &Int) -> bool {
+        *value == Int::ZERO
     }
 
     fn zero() -> Int {
@@ -124,6 +134,14 @@ impl Ring for i128 {
         Int::from(*value)
     }
 
+    fn zero_or_one(one: bool) -> i64 {
+        i64::from(one)
+    }
+
+    fn narrow_is_zero(value: &i64) -> bool {
+        *value == 0
+    }
+
     fn zero() -> i128 {
         0
     }
@@ -188,6 +206,14 @@ macro_rules! fixed_width {
 
             fn narrow_to_int(value: &i64) -> Int {
                 Int::from(*value)
+            }
+
+            fn zero_or_one(one: bool) -> i64 {
+                i64::from(one)
+            }
+
+            fn narrow_is_zero(value: &i64) -> bool {
+                *value == 0
             }
 
             fn zero() -> Self {

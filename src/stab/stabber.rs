@@ -28,12 +28,12 @@ pub enum Verdict {
     /// A line is strictly inside every portal.
     Open {
         /// Such a line.
-        witness: Witness,
+        witness: Box<Witness>,
     },
     /// Not open, but a line meets every closed portal in its direction.
     Grazing {
         /// Such a line.
-        touching_line: StabLine,
+        touching_line: Box<StabLine>,
         /// Why no line is strictly inside.
         certificate: Certificate,
     },
@@ -42,6 +42,34 @@ pub enum Verdict {
         /// Why no line is strictly inside.
         certificate: Certificate,
     },
+}
+
+/// How large a sequence's cone is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ConeShape {
+    /// Extreme rays, modulo the lineality space.
+    pub rays: usize,
+    /// Pairs of adjacent rays.
+    pub faces: usize,
+    /// Points where the quadric crosses or touches a 2-face's inside.
+    pub crossings: usize,
+    /// The dimension of the lineality space.
+    pub lineality: usize,
+    /// The most bits of a ray's coordinate.
+    pub bits: u64,
+    /// Bytes that the pushed portal's level keeps.
+    pub bytes: usize,
+}
+
+impl std::fmt::Display for ConeShape {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ConeShape { rays, faces, crossings, lineality, bits, bytes } = self;
+        write!(
+            f,
+            "{rays} rays, {faces} 2-faces, {crossings} crossings, lineality {lineality}, \
+             {bits} bits, {bytes} bytes"
+        )
+    }
 }
 
 /// One pushed portal.
@@ -135,14 +163,19 @@ impl Stabber {
     /// What is true of the sequence, with a line or a certificate that shows it.
     pub fn verdict(&self) -> Verdict {
         if let Some(witness) = self.witness() {
-            return Verdict::Open { witness };
+            return Verdict::Open { witness: Box::new(witness) };
         }
         let (portals, orders) = (self.portals(), self.orders());
         let certificate = certificate::of_not_open(&portals, &orders);
         match touching_line(&portals, &orders) {
-            Some(touching_line) => Verdict::Grazing { touching_line, certificate },
+            Some(line) => Verdict::Grazing { touching_line: Box::new(line), certificate },
             None => Verdict::Blocked { certificate },
         }
+    }
+
+    /// The size of the cone of the pushed portals, while something is strictly inside it.
+    pub fn shape(&self) -> ConeShape {
+        self.levels.last().map(|level| level.cone.shape()).unwrap_or_default()
     }
 
     /// The extremal stabbing lines of the closed portals, in ascending order.

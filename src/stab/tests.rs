@@ -1,10 +1,12 @@
 //! Known sequences.
 
+use super::cone::Cone;
+use super::ring::Ring;
 use super::*;
 use crate::geom::BigPoint3;
-use crate::num::{Int, Rational};
+use crate::num::{Int, Int192, Int256, Int320, Rational};
 
-pub(super) fn portal(vertices: &[[i64; 3]]) -> Portal3 {
+fn portal(vertices: &[[i64; 3]]) -> Portal3 {
     let points: Vec<_> =
         vertices.iter().map(|v| BigPoint3 { coordinates: v.map(Int::from) }).collect();
     Portal3::new(&points).unwrap()
@@ -97,4 +99,54 @@ fn witnesses_of_integer_sequences_are_small() {
         assert!(c.denom() <= &Int::from(2), "{w:?}");
     }
     assert!(w.points[0][2] < Rational::from(Int::from(4)));
+}
+
+/// The same random rows of extreme size in two arithmetics.
+fn widths_agree<R: Ring>(moment: u32, direction: u32) {
+    assert!(R::BUDGET.unwrap() < 3 * u64::from(moment + direction) + 6, "close to the limit");
+    assert!(R::BUDGET.unwrap() >= 3 * u64::from(moment + direction), "within the limit");
+    let mut state = 1u64;
+    let mut coin = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        state >> 62
+    };
+    for _ in 0..20 {
+        let (mut exact, mut fixed) = (Cone::<Int>::everything(), Cone::<R>::everything());
+        for _ in 0..14 {
+            let row: [Int; 6] = std::array::from_fn(|i| {
+                let largest: Int = (Int::from(1) << if i < 3 { moment } else { direction }) - 1;
+                match coin() {
+                    0 => -largest,
+                    1 => largest,
+                    2 => largest - 1,
+                    _ => 1 - largest,
+                }
+            });
+            let narrow = row.each_ref().map(|c| R::narrow(c).unwrap());
+            assert_eq!(exact.push(&row), fixed.push(&narrow));
+            let vectors = |r: &[R; 6]| r.each_ref().map(R::to_int);
+            let ints: Vec<[Int; 6]> = fixed.rays().iter().map(|r| vectors(&r.vector)).collect();
+            assert!(exact.rays().iter().map(|r| &r.vector).eq(&ints));
+            for pair in exact.rays().windows(2).zip(fixed.rays().windows(2)) {
+                let ([a, b], [c, d]) = (pair.0, pair.1) else { unreachable!("windows of two") };
+                let squares = [Int::side(&a.vector, &a.vector), Int::side(&b.vector, &b.vector)];
+                let narrow = [R::side(&c.vector, &c.vector), R::side(&d.vector, &d.vector)];
+                let (mixed, fixed) =
+                    (Int::side(&a.vector, &b.vector), R::side(&c.vector, &d.vector));
+                assert_eq!(Int::sign_of(&mixed), R::sign_of(&fixed));
+                assert_eq!(
+                    Int::square_exceeds(&mixed, &squares[0], &squares[1]),
+                    R::square_exceeds(&fixed, &narrow[0], &narrow[1])
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_width_holds_at_the_limit_of_its_range() {
+    widths_agree::<i128>(29, 10);
+    widths_agree::<Int192>(45, 15);
+    widths_agree::<Int256>(54, 27);
+    widths_agree::<Int320>(63, 40);
 }

@@ -70,6 +70,9 @@ impl<R: Ring> Wedge<R> {
         for (coordinate, &subset) in coordinates.iter_mut().zip(&SUBSETS[grade][..COUNT[grade]]) {
             for (axis, entry) in row.iter().enumerate().filter(|(axis, _)| subset >> axis & 1 == 1)
             {
+                if R::narrow_is_zero(entry) {
+                    continue;
+                }
                 let rest = usize::from(subset & !(1 << axis));
                 let minor = &self.coordinates[usize::from(POSITION[rest])];
                 // The expansion's sign: one exchange for each later axis of the subset.

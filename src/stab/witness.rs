@@ -17,6 +17,7 @@ use super::sequence::{Portal3, cross, dot3, sub};
 use super::stabber::rows_of;
 use crate::num::{Int, Rational, Sign};
 use num_integer::Integer;
+use num_traits::ToPrimitive;
 
 /// A directed line through two distinct rational points, in grid units.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -314,8 +315,34 @@ fn bits(x: &Vector) -> u64 {
 
 /// The vector divided by the content of its coordinates.
 pub(super) fn primitive(x: Vector) -> Vector {
+    // Most rays fit in machine integers, whose divisors are found much sooner.
+    let small: Option<Vec<i128>> = x.iter().map(|c| c.to_i128()).collect();
+    if let Some(small) = small {
+        let divisor = small.iter().map(|c| c.unsigned_abs()).fold(0, small_divisor);
+        return match i128::try_from(divisor) {
+            Ok(divisor) if divisor > 1 => std::array::from_fn(|i| Int::from(small[i] / divisor)),
+            Ok(_) | Err(_) => x,
+        };
+    }
     let divisor = x.iter().fold(Int::ZERO, |g, c| g.gcd(c));
     if divisor.bits() <= 1 { x } else { x.map(|c| c / &divisor) }
+}
+
+/// The greatest common divisor, by subtraction and halving (Stein 1967).
+fn small_divisor(a: u128, b: u128) -> u128 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    let twos = (a | b).trailing_zeros();
+    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
+    while a != b && a != 1 && b != 1 {
+        if a < b {
+            std::mem::swap(&mut a, &mut b);
+        }
+        a -= b;
+        a >>= a.trailing_zeros();
+    }
+    a.min(b) << twos
 }
 
 /// The vector seen from an origin that lies at `-shift`: p becomes p + shift, m becomes

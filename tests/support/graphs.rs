@@ -11,7 +11,7 @@
 
 use num_traits::{One, Signed, Zero};
 use stabline::num::{Int, Number, Rational};
-use stabline::oracle::{self, Random};
+use stabline::oracle::{self, Gate, Random};
 use stabline::scene::{PortalGraph, RawGraph, RawPortal};
 
 /// A point with rational coordinates.
@@ -105,6 +105,16 @@ impl Graph {
     pub fn scaled(&self, scale: &Rational, offset: &[Rational; 3]) -> Graph {
         self.mapped(false, |p| [0, 1, 2].map(|i| &p[i] * scale + &offset[i]))
     }
+}
+
+/// The portals of a validated graph as the twin takes them.
+pub fn gates(graph: &PortalGraph) -> Vec<Gate> {
+    let gate = |portal: &stabline::scene::Portal| Gate {
+        from: portal.from.0 as usize,
+        to: portal.to.0 as usize,
+        vertices: portal.vertices.iter().map(|&v| graph.vertices[v as usize].clone()).collect(),
+    };
+    graph.portals.iter().map(gate).collect()
 }
 
 pub fn integer(value: i64) -> Rational {

@@ -142,11 +142,7 @@ fn parts_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(paths)
 }
 
-fn read_part(
-    path: &Path,
-    header: &PartHeader,
-    graph: &PortalGraph,
-) -> Result<Vec<Row>, Failure> {
+fn read_part(path: &Path, header: &PartHeader, graph: &PortalGraph) -> Result<Vec<Row>, Failure> {
     let input = Input::read(path)?;
     let text = std::str::from_utf8(&input.bytes)
         .map_err(|_| Failure::file(&input.name, "not text, expected the lines of a part"))?;

@@ -48,6 +48,7 @@ pub(super) fn summary(
             "counts": {
                 "open": counts.open,
                 "not_open": counts.not_open,
+                "grazing": report.grazing_classified.then_some(counts.grazing),
                 "undecided": counts.undecided,
                 "diagonal_included": true,
             },
@@ -64,7 +65,11 @@ pub(super) fn summary(
         order.nonconvex_cells,
     );
     text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
-    text += &format!("not open   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
+    if report.grazing_classified {
+        text += &format!("grazing    {:>10}  {:5.1} %\n", counts.grazing, percent(counts.grazing));
+    }
+    let rest = if report.grazing_classified { "blocked " } else { "not open" };
+    text += &format!("{rest}   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
     if counts.undecided > 0 {
         let (undecided, share) = (counts.undecided, percent(counts.undecided));
         text += &format!("undecided  {undecided:>10}  {share:5.1} %\n");

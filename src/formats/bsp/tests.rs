@@ -108,6 +108,15 @@ fn a_level_without_leafs_is_not_written() {
 }
 
 #[test]
+fn visibility_that_lies_over_the_directory_is_not_replaced() {
+    let mut level = quake(b"BSP2", 44, 4, &[1], &[0, 0, 0, 0]);
+    level[4 + 8 * 4..][..4].copy_from_slice(&0i32.to_le_bytes());
+    let matrix = Visibility::read(&level).unwrap().matrix;
+    let error = write_visibility(&level, &matrix).unwrap_err();
+    assert_eq!(error.kind, BspErrorKind::NotReadBack);
+}
+
+#[test]
 fn long_runs_of_zeros_are_split() {
     let leafs = 8 * 600;
     let level = quake(b"BSP2", 44, leafs, &[0, 255, 0, 255, 0, 90], &vec![0; leafs]);

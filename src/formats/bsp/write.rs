@@ -7,7 +7,7 @@
 
 use super::layout::{Level, Lump, QUAKE_LEAF_ROW, int};
 use super::read::quake3_rows;
-use super::{BitMatrix, BspError, BspErrorKind, BspFormat};
+use super::{BitMatrix, BspError, BspErrorKind, BspFormat, Visibility};
 use std::collections::BTreeMap;
 
 /// The bytes of an entry of the BSPX directory: a name of 24 bytes, offset, length.
@@ -20,14 +20,20 @@ const BSPX_ENTRY: usize = 32;
 /// read (Quake 2, whose lump also holds what can be heard).
 pub fn write_visibility(bytes: &[u8], matrix: &BitMatrix) -> Result<Vec<u8>, BspError> {
     let level = Level::new(bytes)?;
-    match level.format {
+    let written = match level.format {
         BspFormat::Quake29 | BspFormat::GoldSrc30 | BspFormat::Bsp2 | BspFormat::Psb2 => {
-            write_quake(level, matrix)
+            write_quake(level, matrix)?
         }
         BspFormat::Quake2 => {
-            Err(BspError { offset: 0, kind: BspErrorKind::ReadOnlyFormat(level.format) })
+            let kind = BspErrorKind::ReadOnlyFormat(level.format);
+            return Err(BspError { offset: 0, kind });
         }
-        BspFormat::Quake3 => write_quake3(level, matrix),
+        BspFormat::Quake3 => write_quake3(level, matrix)?,
+    };
+    // A garbled level may have its lumps lie over one another, or over their own directory.
+    match Visibility::read(&written) {
+        Ok(read) if read.matrix == *matrix => Ok(written),
+        Ok(_) | Err(_) => Err(BspError { offset: 0, kind: BspErrorKind::NotReadBack }),
     }
 }
 

@@ -96,12 +96,12 @@ impl PvsReport {
     }
 }
 
-fn read_rows(rows: &[String], cells: usize, grazing: bool) -> Result<Matrix, ReportError> {
+fn read_rows(rows: &[&str], cells: usize, grazing: bool) -> Result<Matrix, ReportError> {
     if rows.len() != cells {
         let what = format!("expected one row for each of {cells} cells, got {}", rows.len());
         return Err(ReportError::rule("rows", what));
     }
-    let mut entries = Vec::with_capacity(rows.iter().map(String::len).sum());
+    let mut entries = Vec::with_capacity(rows.iter().map(|row| row.len()).sum());
     for (from, row) in rows.iter().enumerate() {
         let place = || format!("rows[{from}]");
         if row.len() != cells {
@@ -147,7 +147,7 @@ fn check_counts(stated: &wire::Counts, matrix: &Matrix, grazing: bool) -> Result
 }
 
 fn read_witnesses(
-    stated: Vec<wire::Witness>,
+    stated: Vec<wire::Witness<'_>>,
     matrix: &Matrix,
 ) -> Result<Vec<PairWitness>, ReportError> {
     let mut witnesses: Vec<PairWitness> = Vec::with_capacity(stated.len());
@@ -170,7 +170,7 @@ fn read_witnesses(
             [const { [Number::Small(0, 1), Number::Small(0, 1), Number::Small(0, 1)] }; 2];
         for (number, text) in points.iter_mut().flatten().zip(line.iter().flatten()) {
             match Number::parse(text) {
-                Ok(parsed) if parsed.to_string() == *text => *number = parsed,
+                Ok(parsed) if is_spelled(&parsed, text) => *number = parsed,
                 Ok(parsed) => return error(format!("`{text}` is not in lowest terms: `{parsed}`")),
                 Err(what) => return error(format!("`{text}`: {what}")),
             }
@@ -181,4 +181,20 @@ fn read_witnesses(
         witnesses.push(PairWitness { from, to, portals, line: points });
     }
     Ok(witnesses)
+}
+
+/// Whether `text` is the canonical spelling of `number`, which it was read as.
+fn is_spelled(number: &Number, text: &str) -> bool {
+    // An integer that parses has its one spelling if it has no superfluous sign or digit.
+    let is_integer = |text: &str, expected: i64| {
+        let digits = expected.unsigned_abs().checked_ilog10().map_or(1, |log| log as usize + 1);
+        text.len() == digits + usize::from(expected < 0) && text.parse() == Ok(expected)
+    };
+    match number {
+        Number::Small(numerator, 1) => is_integer(text, *numerator),
+        Number::Small(numerator, denominator) => text
+            .split_once('/')
+            .is_some_and(|(p, q)| is_integer(p, *numerator) && is_integer(q, *denominator)),
+        Number::Big(ratio) => text == ratio.to_string(),
+    }
 }

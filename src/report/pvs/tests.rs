@@ -92,6 +92,19 @@ fn a_broken_rule_is_named_with_its_place() {
 }
 
 #[test]
+fn each_number_has_one_spelling() {
+    let good = text(&sample());
+    for other in ["+1", "01", "-0", "1.0", "1e0", "2/2", "-6/4", "6/-4", "3/02", "", "/", "1/"] {
+        let text = good.replace("\"-3/2\"", &format!("\"{other}\""));
+        assert!(PvsReport::read(text.as_bytes()).is_err(), "{other}");
+    }
+    for number in ["0", "-1", "10", "-99", "100", "7/10", "-1/100", "9223372036854775808/3"] {
+        let text = good.replace("\"-3/2\"", &format!("\"{number}\""));
+        assert!(PvsReport::read(text.as_bytes()).is_ok(), "{number}");
+    }
+}
+
+#[test]
 fn every_truncation_is_an_error() {
     let good = text(&sample());
     let good = good.trim_end();

@@ -8,7 +8,7 @@ use serde::Deserialize;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "stabline-pvs/1")]
-pub(super) struct Report {
+pub(super) struct Report<'a> {
     /// The name of the format.
     #[schemars(regex(pattern = "^stabline-pvs/1$"))]
     pub format: String,
@@ -29,9 +29,11 @@ pub(super) struct Report {
     /// One string a source cell, one digit a target cell: 0 not open (blocked, where grazing was
     /// classified), 1 grazing, 2 open, 3 undecided.
     #[schemars(inner(regex(pattern = "^[0-3]*$")))]
-    pub rows: Vec<String>,
+    #[serde(borrow)]
+    pub rows: Vec<&'a str>,
     /// A sightline for each open pair with from < to in ascending order, or none at all.
-    pub witnesses: Vec<Witness>,
+    #[serde(borrow)]
+    pub witnesses: Vec<Witness<'a>>,
 }
 
 /// What identifies the input.
@@ -76,7 +78,7 @@ pub(super) struct Counts {
 /// A sightline between two cells.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Witness {
+pub(super) struct Witness<'a> {
     /// The cell that it starts in.
     pub from: u32,
     /// The cell that it ends in, greater than `from`.
@@ -85,7 +87,8 @@ pub(super) struct Witness {
     pub portals: Vec<u32>,
     /// Two distinct points of it in its direction, in world coordinates: ratios in lowest terms.
     #[schemars(with = "[[Ratio; 3]; 2]")]
-    pub line: [[String; 3]; 2],
+    #[serde(borrow)]
+    pub line: [[&'a str; 3]; 2],
 }
 
 /// An integer `p` or a ratio `p/q` in lowest terms, q > 1.
