@@ -167,7 +167,8 @@ fn on_threads<T: Send>(args: &Args, work: impl FnOnce(&Watch) -> T + Send) -> Re
 }
 
 fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished, Failure> {
-    let options = Options { budget: args.budget, shard: args.shard.unwrap_or_default() };
+    let shard = args.shard.unwrap_or_default();
+    let options = Options { budget: args.budget, shard, ..Options::default() };
     let keep = |row: &_| keeper.keep(row);
     on_threads(args, |watch| pvs::compute(graph, &options, keeper.done(), &keep, watch))
 }

@@ -8,8 +8,10 @@ mod families;
 mod linear;
 mod plane;
 mod polynomial;
+mod pvs;
 mod sequence;
 
 pub use families::{Family, Random, sequence, sequence_2d};
 pub use plane::{PlaneTruth, classify_2d};
-pub use sequence::{LinePoints, Truth, classify};
+pub use pvs::{Gate, open_pairs, touched_pairs};
+pub use sequence::{LinePoints, Truth, classify, open_in_order};

@@ -63,12 +63,43 @@ struct Portal {
 pub fn classify(portals: &[Vec<BigPoint3>]) -> Truth {
     let portals: Vec<Portal> = portals.iter().map(|corners| Portal::new(corners)).collect();
     let edges: Vec<Edge> = portals.iter().flat_map(Portal::edges).collect();
-    if let Some(line) = open_line(&edges) {
+    if let Some(line) = open_line(&edges, &[]) {
         return Truth::Open(line);
     }
     in_plane_line(&portals)
         .or_else(|| crossing_line(&portals, &edges))
         .map_or(Truth::Blocked, Truth::Grazing)
+}
+
+/// A line strictly right of every edge of the portals that crosses their planes strictly in their
+/// order, or `None` where there is none.
+///
+/// Two consecutive planes cut a line in order iff the line is right of the line in which they
+/// meet (the module `pvs` derives it), so a condition of order is one more edge, but of unbounded
+/// extent. It needs no search of its own: through a line of the open set and a point of it inside
+/// some portal there is a pencil on which such a condition changes its sign once, so the set's
+/// boundary, too, has lines that meet a portal's edge and nothing else.
+pub fn open_in_order(portals: &[Vec<BigPoint3>]) -> Option<LinePoints> {
+    let portals: Vec<Portal> = portals.iter().map(|corners| Portal::new(corners)).collect();
+    let edges: Vec<Edge> = portals.iter().flat_map(Portal::edges).collect();
+    let orders = portals.windows(2).map(|pair| order_of_planes(&pair[0], &pair[1]));
+    open_line(&edges, &orders.collect::<Option<Vec<Edge>>>()?)
+}
+
+/// The line in which two planes meet, directed so that the lines right of it that cross both
+/// forwards cross the first plane first; its direction is zero for parallel planes. `None` for
+/// the same plane twice, which no line crosses strictly in order.
+fn order_of_planes(first: &Portal, second: &Portal) -> Option<Edge> {
+    // From a point p in direction d, n·x = c is met at t = (c - n·p) / (n·d); with positive n·d,
+    // t2 > t1 iff (c2 n1 - c1 n2)·d + (n1 × n2)·(p × d) > 0.
+    let offset = |portal: &Portal| dot(&portal.normal, &portal.corners[0]);
+    let direction = cross(&first.normal, &second.normal);
+    let moment =
+        sub(&scale(&first.normal, &offset(second)), &scale(&second.normal, &offset(first)));
+    let zero = |v: &Vector| v.iter().all(Zero::is_zero);
+    // An unbounded line has no start; `from` is only asked of edges that are searched along.
+    let from = [(); 3].map(|()| Int::zero());
+    (!zero(&direction) || !zero(&moment)).then_some(Edge { from, direction, moment })
 }
 
 impl Portal {
@@ -128,10 +159,11 @@ impl Moving {
     }
 }
 
-fn open_line(edges: &[Edge]) -> Option<LinePoints> {
+/// A line strictly right of all edges and of all `orders`, lines of unbounded extent.
+fn open_line(edges: &[Edge], orders: &[Edge]) -> Option<LinePoints> {
     for edge in edges {
         let mut strict = Vec::new();
-        for other in edges {
+        for other in edges.iter().chain(orders) {
             match same_line(edge, other) {
                 // Two edges on one line that want a line on opposite sides of them.
                 Some(Sign::Negative) => return None,
@@ -143,7 +175,8 @@ fn open_line(edges: &[Edge]) -> Option<LinePoints> {
         }
         let search = Search { edge, weak: Vec::new(), strict, closed: false };
         if let Some((t, direction)) = search.run() {
-            return Some(nudged(edges, edge, &t, &direction));
+            let conditions = || edges.iter().chain(orders);
+            return Some(nudged(conditions, edge, &t, &direction));
         }
     }
     None
@@ -151,7 +184,12 @@ fn open_line(edges: &[Edge]) -> Option<LinePoints> {
 
 /// From a line strictly right of all edges but those on the line of `edge`, which it meets at
 /// parameter `t` in direction `direction`, a line strictly right of all.
-fn nudged(edges: &[Edge], edge: &Edge, t: &Surd, direction: &linear::Vector) -> LinePoints {
+fn nudged<'a, I: Iterator<Item = &'a Edge>>(
+    conditions: impl Fn() -> I,
+    edge: &Edge,
+    t: &Surd,
+    direction: &linear::Vector,
+) -> LinePoints {
     let direction = [0, 1, 2].map(|i| direction[i].p.clone());
     let across = cross(&edge.direction, &direction);
     let start = [0, 1, 2].map(|i| {
@@ -166,7 +204,7 @@ fn nudged(edges: &[Edge], edge: &Edge, t: &Surd, direction: &linear::Vector) -> 
             let common = point.iter().fold(Int::one(), |c, x| c.lcm(x.denom()));
             let base = [0, 1, 2].map(|i| point[i].numer() * (&common / point[i].denom()));
             let line = RationalLine { base, weight: common, direction: direction.clone() };
-            if edges.iter().all(|e| line.side(e) == Sign::Positive) {
+            if conditions().all(|e| line.side(e) == Sign::Positive) {
                 return line.points();
             }
         }
@@ -433,9 +471,9 @@ fn meet(a: &Portal, b: &Portal) -> Option<RationalLine> {
 
 /// The sign of the ratio of two edges that lie on one line.
 fn same_line(e: &Edge, f: &Edge) -> Option<Sign> {
-    let zero = |v: Vector| v.iter().all(Zero::is_zero);
-    let same = zero(cross(&e.direction, &f.direction))
-        && zero(cross(&e.direction, &sub(&f.from, &e.from)));
+    let parallel = cross(&e.direction, &f.direction).iter().all(Zero::is_zero);
+    // A point of a line has the line's moment.
+    let same = parallel && cross(&e.from, &f.direction) == f.moment;
     same.then(|| Sign::of(&dot(&e.direction, &f.direction)))
 }
 

@@ -121,11 +121,20 @@ pub(crate) struct Arena {
 
 impl Arena {
     pub fn new(graph: &PortalGraph) -> Arena {
+        Arena::bounded(graph, |points| Bound::of(points).doubled())
+    }
+
+    /// The same, with filters that never decide.
+    pub fn without_filters(graph: &PortalGraph) -> Arena {
+        Arena::bounded(graph, |_| Bound::NEVER)
+    }
+
+    fn bounded(graph: &PortalGraph, bound: impl Fn(&[Approx3]) -> Bound) -> Arena {
         let grid = Grid::new(graph);
         let points: Vec<Approx3> =
             (0..graph.vertices.len()).map(|vertex| grid.approximate(vertex as u32)).collect();
         let mut arena = Arena {
-            bound: Bound::of(&points).doubled(),
+            bound: bound(&points),
             points,
             grid,
             spans: Vec::new(),

@@ -18,6 +18,9 @@ pub struct Options {
     pub budget: Option<u64>,
     /// Which of the rows.
     pub shard: Shard,
+    /// Leave every side to the exact stage, none to the float filters: much slower, with the same
+    /// verdicts (tests compare the two); lines are then found by exact cones only.
+    pub without_filters: bool,
 }
 
 /// A part of the rows: those of the sources whose place in the order of work is `index` modulo
@@ -124,7 +127,10 @@ pub fn compute(
     keep: &(dyn Fn(&Row) + Sync),
     progress: &dyn Progress,
 ) -> Finished {
-    let arena = Arena::new(graph);
+    let arena = match options.without_filters {
+        false => Arena::new(graph),
+        true => Arena::without_filters(graph),
+    };
     progress.begin("upper bound", bounds::STAGES);
     let Some(bounds) = Bounds::new(&arena, progress) else {
         return Finished { rows: done, ..Finished::default() };

@@ -1,6 +1,9 @@
 //! Running the command, and small inputs for it.
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
+pub mod graphs;
+pub mod witness;
+
 use std::path::Path;
 use std::process::{Command, Output};
 

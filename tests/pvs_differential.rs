@@ -1,0 +1,147 @@
+//! The PVS of random portal graphs against the brute-force twin, and every witness against an
+//! independent check.
+//!
+//! `STABLINE_GRAPHS=N` sets the number of graphs a family (default 120), `STABLINE_SEED=S` the
+//! first seed (default 0).
+
+mod support;
+
+use num_traits::{One, Signed, Zero};
+use stabline::num::{Int, Rational, parse_decimal};
+use stabline::pvs::{self, Finished, Options};
+use stabline::report::{Matrix, Silent, Verdict};
+use stabline::scene::{CellOrder, PortalGraph};
+use stabline::oracle;
+use support::graphs::{Family, Graph, gates};
+use support::witness;
+
+fn setting(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default)
+}
+
+fn seeds(share: u64) -> std::ops::Range<u64> {
+    let first = setting("STABLINE_SEED", 0);
+    first..first + (setting("STABLINE_GRAPHS", 120) / share).max(1)
+}
+
+fn compute(graph: &PortalGraph, options: &Options) -> Finished {
+    pvs::compute(graph, options, Vec::new(), &|_| {}, &Silent)
+}
+
+/// The matrix, after a check of every witness and of which pairs have one.
+fn checked(graph: &PortalGraph, options: &Options, name: &str) -> Matrix {
+    let finished = compute(graph, options);
+    let matrix = pvs::assemble(graph, &finished.rows);
+    assert_eq!(matrix.asymmetric_pairs(), 0, "{name}");
+    let witnesses = pvs::witnesses(&finished.rows);
+    for found in &witnesses {
+        if let Err(why) = witness::check(graph, found) {
+            panic!("{name}: {} -> {}: {why}: {found:?}", found.from, found.to);
+        }
+    }
+    let pairs: Vec<(u32, u32)> = witnesses.iter().map(|w| (w.from, w.to)).collect();
+    let size = matrix.size();
+    let open = (0..size).flat_map(|a| (a + 1..size).map(move |b| (a, b)));
+    let open = open.filter(|&(a, b)| matrix.get(a, b) == Verdict::Open);
+    assert_eq!(pairs, open.map(|(a, b)| (a as u32, b as u32)).collect::<Vec<_>>(), "{name}");
+    matrix
+}
+
+#[test]
+fn grazing_pairs_are_those_of_the_twin() {
+    for family in Family::ALL {
+        let start = std::time::Instant::now();
+        let mut grazing = 0;
+        for seed in seeds(6) {
+            let name = format!("{family:?} {seed}");
+            let graph = Graph::random(family, 7000 + seed).validated();
+            // Touching lines run along every wall: the small graphs only.
+            if graph.portals.len() > 9 {
+                continue;
+            }
+            let finished = compute(&graph, &Options::default());
+            let mut matrix = pvs::assemble(&graph, &finished.rows);
+            let open = matrix.clone();
+            assert!(pvs::classify_grazing(&graph, &mut matrix, None, &Silent), "{name}");
+            let touched = oracle::touched_pairs(graph.cells.len(), &gates(&graph));
+            for (a, row) in touched.iter().enumerate() {
+                for (b, &is_touched) in row.iter().enumerate() {
+                    let expected = match open.get(a, b) {
+                        Verdict::NotOpen if is_touched => Verdict::Grazing,
+                        verdict => verdict,
+                    };
+                    assert_eq!(matrix.get(a, b), expected, "{name}: {a} -> {b}");
+                    grazing += u32::from(expected == Verdict::Grazing);
+                }
+            }
+        }
+        println!("{family:?}: {grazing} grazing pairs, {:?}", start.elapsed());
+    }
+}
+
+fn assert_is_twin(matrix: &Matrix, graph: &PortalGraph, name: &str) -> usize {
+    let twin = oracle::open_pairs(graph.cells.len(), &gates(graph));
+    let mut open = 0;
+    for (a, row) in twin.iter().enumerate() {
+        for (b, &is_open) in row.iter().enumerate() {
+            let expected = if is_open { Verdict::Open } else { Verdict::NotOpen };
+            assert_eq!(matrix.get(a, b), expected, "{name}: {a} -> {b}");
+            open += usize::from(is_open && a != b);
+        }
+    }
+    open
+}
+
+#[test]
+fn the_pvs_is_that_of_the_twin() {
+    for family in Family::ALL {
+        let start = std::time::Instant::now();
+        let (mut open, mut pairs, mut nonconvex, mut ordered) = (0, 0, 0, 0);
+        for seed in seeds(1) {
+            let name = format!("{family:?} {seed}");
+            let graph = Graph::random(family, seed).validated();
+            let order = CellOrder::new(&graph);
+            nonconvex += order.nonconvex_cells;
+            ordered += order.pairs().len();
+            let matrix = checked(&graph, &Options::default(), &name);
+            open += assert_is_twin(&matrix, &graph, &name);
+            pairs += graph.cells.len() * (graph.cells.len() - 1);
+        }
+        println!(
+            "{family:?}: {open} of {pairs} pairs open, {nonconvex} cells not convex, \
+             {ordered} pairs of portals need the order, {:?}",
+            start.elapsed()
+        );
+        assert!(open > 0 && open < pairs, "{family:?} asks nothing");
+    }
+}
+
+#[test]
+fn wide_coordinates_decide_as_narrow_ones_do() {
+    let decimal = |text: &str| parse_decimal(text).unwrap();
+    let far = || Rational::from(Int::one() << 30);
+    let scales: [(Rational, [Rational; 3]); 6] = [
+        // Portal files: six decimals, far away.
+        (decimal("0.000001"), [far(), -far(), far() + decimal("0.123457")]),
+        (decimal("0.0254"), [Rational::zero(), far(), decimal("-77.5")]),
+        // A shortest double, and 26 decimals.
+        (decimal("0.30000000000000004"), [decimal("0.1"), decimal("1e17"), Rational::one()]),
+        (decimal("0.56285683454726874605620706"), [(); 3].map(|()| Rational::zero())),
+        // Coordinates that no float holds, large and small.
+        (decimal("1e400"), [(); 3].map(|()| Rational::zero())),
+        (decimal("1e-400"), [(); 3].map(|()| Rational::zero())),
+    ];
+    for family in Family::ALL {
+        for seed in seeds(6) {
+            let graph = Graph::random(family, seed);
+            let name = format!("{family:?} {seed}");
+            let narrow = checked(&graph.validated(), &Options::default(), &name);
+            for (scale, offset) in &scales {
+                assert!(scale.is_positive());
+                let name = format!("{name}, scaled by {scale}");
+                let wide = graph.scaled(scale, offset).validated();
+                assert_eq!(checked(&wide, &Options::default(), &name), narrow, "{name}");
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! Witnesses and determinism on the public maps, which are not part of the project: skipped, with
+//! a message, where absent.
+//!
+//! `STABLINE_MAPS=all` takes all six (default: the first).
+
+mod support;
+
+use stabline::pvs::{self, Options};
+use stabline::report::{Silent, Verdict};
+use stabline::scene::read_graph;
+use std::path::PathBuf;
+use support::witness;
+
+#[test]
+fn every_witness_of_a_real_map_holds() {
+    let shared = std::env::var_os("STABLINE_SHARED")
+        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared"), PathBuf::from);
+    let maps = shared.join("maps");
+    if !maps.is_dir() {
+        eprintln!("skipped: no shared maps at {}", maps.display());
+        return;
+    }
+    let all = ["lq_e0m1", "lqdm1", "lqdm6", "lq_e1m2", "lq_e0m8", "lq_e1m5"];
+    let wants_all = std::env::var("STABLINE_MAPS").is_ok_and(|which| which == "all");
+    for map in &all[..if wants_all { all.len() } else { 1 }] {
+        let bytes = std::fs::read(maps.join(map).join(format!("{map}.prt"))).unwrap();
+        let graph = read_graph(map, &bytes).unwrap();
+        let start = std::time::Instant::now();
+        let finished = pvs::compute(&graph, &Options::default(), Vec::new(), &|_| {}, &Silent);
+        let computed = start.elapsed();
+        let matrix = pvs::assemble(&graph, &finished.rows);
+        let witnesses = pvs::witnesses(&finished.rows);
+        for found in &witnesses {
+            if let Err(why) = witness::check(&graph, found) {
+                panic!("{map}: {} -> {}: {why}", found.from, found.to);
+            }
+        }
+        let counts = matrix.counts();
+        assert_eq!(counts.undecided, 0, "{map}");
+        let off_diagonal = counts.open - matrix.size() as u64;
+        assert_eq!(2 * witnesses.len() as u64, off_diagonal, "{map}");
+        let lengths = witnesses.iter().map(|found| found.portals.len());
+        println!(
+            "{map}: {} witnesses hold, up to {} portals long; computed in {computed:?}, checked \
+             in {:?}",
+            witnesses.len(),
+            lengths.max().unwrap_or(0),
+            start.elapsed() - computed,
+        );
+        assert!(matrix.entries().iter().all(|verdict| *verdict != Verdict::Grazing));
+    }
+}
