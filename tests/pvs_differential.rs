@@ -8,10 +8,10 @@ mod support;
 
 use num_traits::{One, Signed, Zero};
 use stabline::num::{Int, Rational, parse_decimal};
+use stabline::oracle;
 use stabline::pvs::{self, Finished, Options};
 use stabline::report::{Matrix, Silent, Verdict};
 use stabline::scene::{CellOrder, PortalGraph};
-use stabline::oracle;
 use support::graphs::{Family, Graph, gates};
 use support::witness;
 

@@ -6,8 +6,7 @@
 
 use super::cone::{Cone, Push};
 use super::line::ExactLine;
-use super::mask::Mask;
-use super::quadric::{BothSigns, Vector, signs_on_edges};
+use super::quadric::{BothSigns, RaySides, Vector, signs_on_edges};
 use super::ring::Ring;
 use super::stabber::ConeShape;
 use crate::num::{Int, Int192, Int256, Int320};
@@ -113,9 +112,9 @@ impl Engine {
         each!(self, cone => cone.rays().iter().map(|ray| unbounded(&ray.vector)).collect())
     }
 
-    /// For each ray, the rows that it is tight on, by the order in which they were pushed.
-    pub(super) fn tight(&self) -> Vec<Mask> {
-        each!(self, cone => cone.rays().iter().map(|ray| ray.tight.clone()).collect())
+    /// What the search behind triples asks of the rays.
+    pub(super) fn ray_sides(&self) -> RaySides {
+        each!(self, cone => RaySides::of(cone))
     }
 
     /// A basis of the lineality space.

@@ -105,21 +105,57 @@ fn extremum([r, s]: &[Vector; 2]) -> Vector {
 
 /// Rule 5: with order half-spaces, a sign may hide in a 3-face whose edges all lack it, behind
 /// three pairwise skew rows. Looks there, for rows that are lines, `ordered` saying which belong to
-/// no polygon, and `tight` for each ray of the cone on which rows it is tight.
-pub(super) fn signs_behind_triples(signs: &mut BothSigns, tight: &[Mask], rows: &[(Vector, bool)]) {
-    // A face that hides a whole regulus has at least three rays, all tight on the triple.
-    let shared = |triple: &[usize; 3]| {
-        tight.iter().filter(|ray| triple.iter().all(|&row| ray.contains(row))).count()
-    };
+/// no polygon.
+pub(super) fn signs_behind_triples(
+    signs: &mut BothSigns,
+    rays: &RaySides,
+    rows: &[(Vector, bool)],
+) {
     for a in 0..rows.len() {
         for b in a + 1..rows.len() {
             for c in b + 1..rows.len() {
                 let triple = [a, b, c];
-                if triple.iter().any(|&row| rows[row].1) && shared(&triple) >= 3 {
+                if triple.iter().any(|&row| rows[row].1) && rays.may_hide(triple, signs) {
                     look_behind(signs, triple.map(|row| &rows[row].0), rows);
                 }
             }
         }
+    }
+}
+
+/// The rays of a cone by what the search behind triples asks of them.
+pub(super) struct RaySides {
+    /// For each ray, the rows that it is tight on, by the order in which they were pushed.
+    tight: Vec<Mask>,
+    /// For each ray, the signs of its side products with the rays before it.
+    sides: Vec<Vec<Sign>>,
+}
+
+impl RaySides {
+    pub(super) fn of<R: Ring>(cone: &Cone<R>) -> RaySides {
+        let rays = cone.rays();
+        let side = |i: usize, j: usize| R::sign_of(&R::side(&rays[i].vector, &rays[j].vector));
+        RaySides {
+            tight: rays.iter().map(|ray| ray.tight.clone()).collect(),
+            sides: (0..rays.len()).map(|i| (0..i).map(|j| side(i, j)).collect()).collect(),
+        }
+    }
+
+    /// Whether the face of the cone on which three rows are tight might hide a missing sign. Such a
+    /// face has at least three rays. On it Q is a sum of products G_ij t_i t_j, t >= 0, of its
+    /// rays; so two of these have a side product of that sign.
+    fn may_hide(&self, triple: [usize; 3], signs: &BothSigns) -> bool {
+        let is_on_face = |ray: &usize| triple.iter().all(|&row| self.tight[*ray].contains(row));
+        let face: Vec<usize> = (0..self.tight.len()).filter(is_on_face).collect();
+        let is_missing = |sign: Sign| match sign {
+            Sign::Positive => signs.positive.is_none(),
+            Sign::Negative => signs.negative.is_none(),
+            // Rays that meet add nothing to either side.
+            Sign::Zero => false,
+        };
+        let mut pairs =
+            face.iter().enumerate().flat_map(|(n, &i)| face[..n].iter().map(move |&j| (i, j)));
+        face.len() >= 3 && pairs.any(|(i, j)| is_missing(self.sides[i][j]))
     }
 }
 

@@ -194,7 +194,7 @@ impl Stabber {
     fn signs(&self, cone: &Engine) -> BothSigns {
         let mut signs = cone.signs();
         if !signs.found() && self.levels.iter().skip(1).any(|level| level.ordered) {
-            signs_behind_triples(&mut signs, &cone.tight(), &self.rows());
+            signs_behind_triples(&mut signs, &cone.ray_sides(), &self.rows());
         }
         signs
     }
@@ -242,7 +242,7 @@ pub fn edges_exclude_lines(edges: &[(&Portal3, usize)]) -> bool {
     }
     let mut signs = cone.signs();
     if !signs.found() {
-        signs_behind_triples(&mut signs, &cone.tight(), &rows);
+        signs_behind_triples(&mut signs, &cone.ray_sides(), &rows);
     }
     !signs.found()
 }
