@@ -13,8 +13,6 @@ pub(super) enum Exit {
     Holes,
     /// Pairs remain undecided under the budget given.
     Undecided,
-    /// A witness or certificate does not hold.
-    ProofFails,
     /// Interrupted, with the finished work kept.
     Interrupted,
 }
@@ -25,7 +23,6 @@ impl Exit {
             Exit::Done => 0,
             Exit::Holes => 1,
             Exit::Undecided => 4,
-            Exit::ProofFails => 5,
             Exit::Interrupted => 130,
         }
     }

@@ -135,7 +135,7 @@ impl Bound {
 
     /// The bound `largest`, a magnitude that no coordinate exceeds.
     pub fn new(largest: f64) -> Bound {
-        if !(largest <= LARGEST_BOUND) {
+        if largest.is_nan() || largest > LARGEST_BOUND {
             return Bound::NEVER;
         }
         let b = largest.max(1.0);

@@ -66,7 +66,7 @@ fn exclude_each_other_filter(lines: &[[Point3; 2]]) -> Option<Sign> {
     for (weight, row) in weights.iter_mut().zip(&inverse) {
         *weight = -(0..6).map(|j| row[j] * vectors[6][j]).sum::<f64>();
     }
-    if weights.iter().any(|w| !(*w > 0.0)) {
+    if weights.iter().any(|w| w.is_nan() || *w <= 0.0) {
         return None;
     }
     let total: f64 = weights.iter().sum();
@@ -109,7 +109,7 @@ fn scaled_vectors(lines: &[[[f64; 3]; 2]; 7]) -> Option<[[f64; 6]; 7]> {
             .map(|(p, q)| (p.abs() + q.abs()) / largest)
             .chain(d.iter().map(|c| c.abs()))
             .fold(0.0f64, f64::max);
-        if !(size > 0.0) {
+        if size.is_nan() || size <= 0.0 {
             return None;
         }
         for i in 0..3 {
