@@ -104,6 +104,23 @@ fn similarities_do_not_matter() {
 }
 
 #[test]
+fn small_scenes_get_their_lines_from_floats_too() {
+    for scale in ["1/1000", "0.0254", "1", "1000"] {
+        let mut tally = pvs::Tally::default();
+        for seed in 0..20 {
+            let none = [(); 3].map(|()| Rational::zero());
+            let graph = Graph::random(Family::Rooms, seed);
+            let graph = graph.scaled(&parse_decimal(scale).unwrap(), &none).validated();
+            let options = Options::default();
+            let finished = pvs::compute(&graph, &options, Vec::new(), &|_| {}, &Silent);
+            tally.add(&finished.tally);
+        }
+        println!("scaled by {scale}: {tally:?}");
+        assert!(tally.cone_open * 10 < tally.proposed, "scaled by {scale}: {tally:?}");
+    }
+}
+
+#[test]
 fn removing_a_portal_opens_nothing() {
     for (name, graph, mut random) in cases() {
         if graph.portals.is_empty() {

@@ -166,9 +166,8 @@ fn doors(
     portals: &mut Vec<Portal>,
 ) {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let common = |k: usize| {
-        [boxes[0][k][0].max(boxes[1][k][0]), boxes[0][k][1].min(boxes[1][k][1])]
-    };
+    let common =
+        |k: usize| [boxes[0][k][0].max(boxes[1][k][0]), boxes[0][k][1].min(boxes[1][k][1])];
     let ([u0, u1], [v0, v1]) = (common(i), common(j));
     if u0 >= u1 || v0 >= v1 || random.one_in(2) {
         return;
