@@ -197,6 +197,7 @@ fn the_command_merges_shards_and_resumes() {
     run(&["pvs", "g.prt", "--resume", "kept", "-o", "again.json"]);
     assert_eq!(read("again.json"), read("whole.json"));
     let graph = read_graph("g.prt", &read("g.prt")).unwrap();
+    assert_eq!(graph.portals, houses(3).validated().portals);
     let expected = pvs::assemble(&graph, &compute(&graph, &Options::default(), Vec::new()).rows);
     assert_eq!(read("whole.npy"), expected.to_npy());
     check_counts(&expected);

@@ -1,4 +1,6 @@
 //! What must not change the matrix, and what may change it in one direction only.
+//!
+//! `STABLINE_GRAPHS=N` sets the number of graphs a family (default 15).
 
 mod support;
 
@@ -10,7 +12,7 @@ use stabline::report::{Matrix, Silent, Verdict};
 use support::graphs::{Family, Graph, integer};
 
 fn cases() -> impl Iterator<Item = (String, Graph, Random)> {
-    let count = std::env::var("STABLINE_GRAPHS").ok().and_then(|n| n.parse().ok()).unwrap_or(40);
+    let count = std::env::var("STABLINE_GRAPHS").ok().and_then(|n| n.parse().ok()).unwrap_or(15);
     Family::ALL.into_iter().flat_map(move |family| {
         (0..count).map(move |seed: u64| {
             let name = format!("{family:?} {seed}");
@@ -100,6 +102,23 @@ fn similarities_do_not_matter() {
             let scaled = graph.scaled(&decimal(scale), &none);
             assert_eq!(matrix(&scaled), expected, "{name} scaled by {scale}");
         }
+    }
+}
+
+#[test]
+fn small_scenes_get_their_lines_from_floats_too() {
+    for scale in ["1/1000", "0.0254", "1", "1000"] {
+        let mut tally = pvs::Tally::default();
+        for seed in 0..20 {
+            let none = [(); 3].map(|()| Rational::zero());
+            let graph = Graph::random(Family::Rooms, seed);
+            let graph = graph.scaled(&parse_decimal(scale).unwrap(), &none).validated();
+            let options = Options::default();
+            let finished = pvs::compute(&graph, &options, Vec::new(), &|_| {}, &Silent);
+            tally.add(&finished.tally);
+        }
+        println!("scaled by {scale}: {tally:?}");
+        assert!(tally.cone_open * 10 < tally.proposed, "scaled by {scale}: {tally:?}");
     }
 }
 

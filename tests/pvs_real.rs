@@ -5,21 +5,53 @@
 
 mod support;
 
-use stabline::pvs::{self, Options};
+use stabline::pvs::{self, OpenPair, Options, Row, Shard};
 use stabline::report::{Silent, Verdict};
-use stabline::scene::read_graph;
+use stabline::scene::{CellId, read_graph};
 use std::path::PathBuf;
 use support::witness;
 
-#[test]
-fn every_witness_of_a_real_map_holds() {
+/// The folder of shared maps, where there is one.
+fn maps() -> Option<PathBuf> {
     let shared = std::env::var_os("STABLINE_SHARED")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared"), PathBuf::from);
     let maps = shared.join("maps");
-    if !maps.is_dir() {
-        eprintln!("skipped: no shared maps at {}", maps.display());
-        return;
+    if maps.is_dir() {
+        return Some(maps);
     }
+    eprintln!("skipped: no shared maps at {}", maps.display());
+    None
+}
+
+/// What of the rows goes into a result. (How the work went depends on the threads.)
+fn findings(rows: &[Row]) -> Vec<(CellId, &[OpenPair])> {
+    rows.iter().map(|row| (row.source, row.open.as_slice())).collect()
+}
+
+#[test]
+fn threads_and_shards_change_no_row_of_a_real_map() {
+    let Some(maps) = maps() else { return };
+    let graph = read_graph("map", &std::fs::read(maps.join("lq_e0m1/lq_e0m1.prt")).unwrap());
+    let graph = graph.unwrap();
+    let compute = |threads, shard| {
+        let options = Options { shard, ..Options::default() };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| pvs::compute(&graph, &options, Vec::new(), &|_| {}, &Silent)).rows
+    };
+    let whole = compute(1, Shard::default());
+    for threads in [2, 3] {
+        let rows = compute(threads, Shard::default());
+        assert!(findings(&rows) == findings(&whole), "{threads} threads");
+    }
+    let mut parts: Vec<Row> =
+        (0..3).flat_map(|index| compute(2, Shard { index, count: 3 })).collect();
+    parts.sort_by_key(|row| row.source);
+    assert!(findings(&parts) == findings(&whole), "three shards");
+}
+
+#[test]
+fn every_witness_of_a_real_map_holds() {
+    let Some(maps) = maps() else { return };
     let all = ["lq_e0m1", "lqdm1", "lqdm6", "lq_e1m2", "lq_e0m8", "lq_e1m5"];
     let wants_all = std::env::var("STABLINE_MAPS").is_ok_and(|which| which == "all");
     for map in &all[..if wants_all { all.len() } else { 1 }] {

@@ -147,6 +147,11 @@ impl Bound {
         Bound::new(largest(points.into_iter().flat_map(|point| point.p)))
     }
 
+    /// The largest magnitude that it admits.
+    pub fn largest(self) -> f64 {
+        self.b
+    }
+
     /// Twice the bound.
     pub fn doubled(self) -> Bound {
         Bound::new(2.0 * self.b)

@@ -79,8 +79,7 @@ impl Graph {
     pub fn to_prt(&self) -> String {
         let mut text = format!("PRT1\n{}\n{}\n", self.cells, self.portals.len());
         for Portal { cells: [from, to], polygon } in &self.portals {
-            // A portal file has its vertices counter-clockwise as seen from the first cell.
-            text.push_str(&format!("{} {to} {from} ", polygon.len()));
+            text.push_str(&format!("{} {from} {to} ", polygon.len()));
             for [x, y, z] in polygon {
                 text.push_str(&format!("({x} {y} {z} ) "));
             }

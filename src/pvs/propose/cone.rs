@@ -146,8 +146,9 @@ impl SequenceCone {
         };
         let start = near(path[0]);
         let end = near(path[path.len() - 1]);
-        // Points far apart round to nearly the same line.
-        let end = if end.distance(start) < APART { start + direction * APART } else { end };
+        // Points far apart round to nearly the same line; beyond the bound no filter sees them.
+        let apart = APART.min(arena.bound().largest() / 2.0);
+        let end = if end.distance(start) < apart { start + direction * apart } else { end };
         ROUNDING_BITS.into_iter().filter_map(move |bits| {
             let scale = (1u64 << bits) as f64;
             let point = |p: DVec3| (p * scale).round().to_array();
@@ -163,7 +164,7 @@ fn find_line(halves: &mut Vec<Half>, search: &mut NormPoint) -> Result<FrameLine
     }
 }
 
-/// World units between the two points of a proposed line, at least.
+/// World units between the two points of a proposed line, at least, in scenes larger than that.
 const APART: f64 = 64.0;
 
 /// The grids to try, as powers of 1/2: integers first.
