@@ -198,7 +198,8 @@ fn pushed<R: Ring>((cone, rows): &(Cone<R>, Vec<[R::Narrow; 6]>)) -> Cone<R> {
 }
 
 fn bench_push(c: &mut Criterion) {
-    let families: [(&str, fn(&mut Random, i64) -> Quad); 3] =
+    type Maker = fn(&mut Random, i64) -> Quad;
+    let families: [(&str, Maker); 3] =
         [("oblique", oblique), ("parallel", parallel), ("turning", turning)];
     for (name, make) in families {
         let portals = portals(make);

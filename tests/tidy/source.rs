@@ -190,8 +190,9 @@ pub fn words<'a>(line: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 
         let before = line[..at].chars().next_back();
         let after = line[at + word.len()..].chars().next();
         let inside = |c: Option<char>| c.is_some_and(is_word);
-        !(word.starts_with(is_word) && inside(before))
-            && !(word.ends_with(is_word) && inside(after))
+        let goes_on =
+            word.starts_with(is_word) && inside(before) || word.ends_with(is_word) && inside(after);
+        !goes_on
     })
 }
 
