@@ -61,18 +61,16 @@ pub fn touched_pairs(cells: usize, portals: &[Gate]) -> Vec<Vec<bool>> {
 fn pairs(cells: usize, portals: &[Gate], aim: Aim) -> Vec<Vec<bool>> {
     let crossings: Vec<Gate> =
         portals.iter().flat_map(|portal| [portal.clone(), portal.reversed()]).collect();
-    let mut joined = vec![vec![false; cells]; cells];
-    for source in 0..cells {
-        let seen: Vec<bool> = (0..cells).map(|cell| cell <= source).collect();
-        let mut walk = Walk { aim, crossings: &crossings, seen, crossed: vec![source] };
-        walk.on(source, &mut Vec::new(), None);
-        joined[source][source] = true;
-        for target in source + 1..cells {
-            joined[source][target] = walk.seen[target];
-            joined[target][source] = walk.seen[target];
-        }
-    }
-    joined
+    let from_lower: Vec<Vec<bool>> = (0..cells)
+        .map(|source| {
+            let seen: Vec<bool> = (0..cells).map(|cell| cell <= source).collect();
+            let mut walk = Walk { aim, crossings: &crossings, seen, crossed: vec![source] };
+            walk.on(source, &mut Vec::new(), None);
+            walk.seen
+        })
+        .collect();
+    let joined = |a: usize, b: usize| a == b || from_lower[a.min(b)][a.max(b)];
+    (0..cells).map(|a| (0..cells).map(|b| joined(a, b)).collect()).collect()
 }
 
 /// A walk over the sequences from one cell.

@@ -47,11 +47,11 @@ pub fn three_rooms_result() -> String {
 pub fn level(rows: [u8; 4]) -> Vec<u8> {
     let mut bytes = vec![0; 124];
     bytes[0] = 29;
-    let mut leafs = vec![0; 28 * 5];
+    let mut leafs = [0; 28 * 5];
     for (row, offset) in [-1i32, 0, 1, 2, 3].iter().enumerate() {
         leafs[28 * row + 4..][..4].copy_from_slice(&offset.to_le_bytes());
     }
-    let mut model = vec![0; 64];
+    let mut model = [0; 64];
     model[52] = 4;
     for (lump, data) in [(10, &leafs[..]), (4, &rows[..]), (14, &model[..])] {
         let entry = 4 + 8 * lump;
