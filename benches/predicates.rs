@@ -5,7 +5,8 @@
 //! random order too long for a branch predictor to learn. After criterion's own report (or alone,
 //! with `cargo bench --bench predicates -- --table`) a table of ratios to plain floats is
 //! printed: of each variant's least time over a hundred rounds in which the variants take turns,
-//! so that what else runs on the machine disturbs the least. |coordinates| <= 2^20 unless said otherwise.
+//! so that what else runs on the machine disturbs the least. |coordinates| <= 2^20 unless said
+//! otherwise.
 
 use criterion::Criterion;
 use stabline::geom::{Line, Plane, Point2, Point3};
@@ -105,7 +106,10 @@ struct Variant<'a> {
 
 /// A variant whose answer is an expression in the four places of a query.
 macro_rules! variant {
-    ($list:ident, $name:expr, $queries:expr, |$a:ident, $b:ident, $c:ident, $d:ident| $answer:expr) => {
+    (
+        $list:ident, $name:expr, $queries:expr,
+        |$a:ident, $b:ident, $c:ident, $d:ident| $answer:expr
+    ) => {
         $list.push(Variant {
             name: $name,
             queries: $queries,

@@ -244,8 +244,8 @@ fn draw_table(svg: &mut String, graph: &PortalGraph, sights: &[Vec<Sight>]) {
                 top - 8.
             ),
         );
-        for b in 0..graph.cells.len() {
-            let kind = match &sights[a][b] {
+        for (b, sight) in sights[a].iter().enumerate() {
+            let kind = match sight {
                 _ if a == b => 0,
                 Sight::Open { .. } => 0,
                 Sight::Grazing { .. } => 1,

@@ -82,10 +82,16 @@ fn check(polygon: &[Vector]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 4000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
-    fn polygons_of_a_small_grid(polygon in prop::collection::vec(prop::array::uniform3(-2i64..3), 3..7)) {
+    fn polygons_of_a_small_grid(
+        polygon in prop::collection::vec(prop::array::uniform3(-2i64..3), 3..7),
+    ) {
         check(&polygon);
     }
 

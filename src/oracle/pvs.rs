@@ -61,7 +61,7 @@ pub fn touched_pairs(cells: usize, portals: &[Gate]) -> Vec<Vec<bool>> {
 fn pairs(cells: usize, portals: &[Gate], aim: Aim) -> Vec<Vec<bool>> {
     let crossings: Vec<Gate> =
         portals.iter().flat_map(|portal| [portal.clone(), portal.reversed()]).collect();
-    let rows: Vec<Vec<bool>> = (0..cells)
+    let from_lower: Vec<Vec<bool>> = (0..cells)
         .map(|source| {
             let seen: Vec<bool> = (0..cells).map(|cell| cell <= source).collect();
             let mut walk = Walk { aim, crossings: &crossings, seen, crossed: vec![source] };
@@ -69,7 +69,7 @@ fn pairs(cells: usize, portals: &[Gate], aim: Aim) -> Vec<Vec<bool>> {
             walk.seen
         })
         .collect();
-    let joined = |a: usize, b: usize| a == b || rows[a.min(b)][a.max(b)];
+    let joined = |a: usize, b: usize| a == b || from_lower[a.min(b)][a.max(b)];
     (0..cells).map(|a| (0..cells).map(|b| joined(a, b)).collect()).collect()
 }
 

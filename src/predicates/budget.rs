@@ -175,11 +175,12 @@ const fn orient3d_error(difference: f64) -> f64 {
 
 /// The largest grid on which `side_of_lines` is exact in floats.
 ///
-/// The moments m = h + l of a [`Line`](crate::geom::Line) are split at 2^25, and the value is S_h + S_l with S_h = d·h' + h·d' and S_l = d·l' + l·d'. At 24 bits directions are at
-/// most 2^25 and moments at most 2^49, both parts of them floats. So S_h and all its partial sums
-/// are multiples of 2^25 of at most 6·2^25·2^49 = 2^51.6 such units, S_l and its partial sums
-/// integers of at most 6·2^25·2^24 = 2^51.6: exact, both. Their one rounded sum has the sign of
-/// the true one, zero included.
+/// The moments m = h + l of a [`Line`](crate::geom::Line) are split at 2^25, and the value is S_h +
+/// S_l with S_h = d·h' + h·d' and S_l = d·l' + l·d'. At 24 bits directions are at most 2^25 and
+/// moments at most 2^49, both parts of them floats. So S_h and all its partial sums are multiples
+/// of 2^25 of at most 6·2^25·2^49 = 2^51.6 such units, S_l and its partial sums integers of at most
+/// 6·2^25·2^24 = 2^51.6: exact, both. Their one rounded sum has the sign of the true one, zero
+/// included.
 pub(super) const SPLIT_BITS: u32 = 24;
 
 /// Beyond that: let D bound directions and M = 2C² moments, both held exactly, and high parts be

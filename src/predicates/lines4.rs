@@ -176,10 +176,10 @@ pub fn transversal_count_big(lines: [BigLine; 4]) -> TransversalCount {
     }
 }
 
-/// Three of the lines, pairwise skew, and the fourth. A symmetric matrix has rank three or more
-/// iff some principal 3x3 minor is not zero, and those of the Gram matrix are 2·S_ij·S_ik·S_jk. With
-/// D = 0 and no such triple the rank is at most two: T has a radical of dimension two, on which
-/// the quadric vanishes, and there are infinitely many transversals.
+/// Three of the lines, pairwise skew, and the fourth. A symmetric matrix has rank three or more iff
+/// some principal 3x3 minor is not zero, and those of the Gram matrix are 2·S_ij·S_ik·S_jk. With D
+/// = 0 and no such triple the rank is at most two: T has a radical of dimension two, on which the
+/// quadric vanishes, and there are infinitely many transversals.
 fn skew_triple<T: Zero>(products: &Products<T>) -> Option<[usize; 4]> {
     let skew = |i: usize, j: usize| {
         let index = PAIRS.iter().position(|pair| *pair == [i.min(j), i.max(j)]);

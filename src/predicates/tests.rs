@@ -254,7 +254,8 @@ proptest! {
             prop_assert_eq!([orient2d(t, u, s), orient2d(u, s, t)], [turn; 2]);
             prop_assert_eq!([orient2d(t, s, u), orient2d(s, u, t)], [-turn; 2]);
             // 2D is 3D seen from above: raise one corner of the prism.
-            let lifted = [s, t, u].map(|p| Point3::new(p.integers()[0], p.integers()[1], 0).unwrap());
+            let lift = |[x, y]: [i64; 2]| Point3::new(x, y, 0).unwrap();
+            let lifted = [s, t, u].map(|p| lift([p.integers()[0], p.integers()[1]]));
             let above = Point3::new(s.integers()[0], s.integers()[1], 1).unwrap();
             prop_assert_eq!(sign([&lifted[0], &lifted[1], &lifted[2], &above]), turn);
             for movement in movements(&mut random) {
@@ -296,7 +297,8 @@ proptest! {
             for movement in movements(&mut random) {
                 let moved = p.map(|p| movement.apply(p));
                 let ([e, f, g, h], _) = &planes(&moved);
-                prop_assert_eq!(compare_along_line(&moved[0], &moved[1], &moved[2], &moved[3]), along);
+                let [p, q, first, second] = [0, 1, 2, 3].map(|i| &moved[i]);
+                prop_assert_eq!(compare_along_line(p, q, first, second), along);
                 prop_assert_eq!(compare_crossings(&moved[0], &moved[1], g, h, budget), crossings);
                 // A mirror flips every plane that is made of mirrored points.
                 prop_assert_eq!(vertex_side_of_plane([e, f, g], h, budget),

@@ -2,21 +2,19 @@
 //!
 //! Cell A sees cell B iff some portal sequence between them is open (`docs/semantics.md`). The
 //! computation works from both sides (Teller 1992, §8.3; the order of the work is this crate's
-//! own): an upper bound for each directed portal of what might be crossed after it ([`bounds`]),
-//! and for each cell a depth-first search of the sequences from it ([`search`]) that narrows the
-//! bound at each step, proves sequences open by a line, and leaves those that it proves not open.
+//! own): an upper bound for each directed portal of what might be crossed after it (`bounds`), and
+//! for each cell a depth-first search of the sequences from it (`search`) that narrows the bound
+//! at each step, proves sequences open by a line, and leaves those that it proves not open.
 //! Of two cells, the one with the smaller bound is the source, so each pair is settled once and
 //! the result is symmetric.
 //!
 //! The result comes as one [`Row`] a source cell, which do not depend on each other: they can be
 //! computed by different processes, kept, and put together by [`assemble`].
 //!
-//! **Invariants.** The rows are a function of the graph and of the options that change results (not of
-//! the number of threads, nor of which rows are computed together); every open pair comes with a
-//! line that was checked exactly; no pair is called not open without proof.
-//!
-//! [`bounds`]: self::bounds
-//! [`search`]: self::search
+//! **Invariants.** The verdicts and lines are a function of the graph and of the options that
+//! change results (not of the number of threads, nor of which rows are computed together; only the
+//! tallies are); every open pair comes with a line that was checked exactly; no pair is called not
+//! open without proof.
 
 mod arena;
 mod bits;
@@ -41,7 +39,6 @@ pub use tree::{StabNode, StabTree, stab_trees};
 
 use crate::report::{Matrix, PairWitness, Verdict};
 use crate::scene::{CellId, PortalGraph};
-use serde::{Deserialize, Serialize};
 
 /// What was found for one source cell: the verdicts of the pairs that it is the source of.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -76,8 +73,7 @@ impl OpenPair {
 }
 
 /// Counts of one row's work, or of many.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Pairs that the upper bound left to be settled.
     pub candidates: u64,

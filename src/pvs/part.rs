@@ -3,7 +3,8 @@
 //!
 //! One JSON object a line: first the header, which says what the rows belong to, then one line a
 //! row. Rows are appended as they are finished, in any order; a last line without its end (of a
-//! run that was killed while writing) is left out when the part is read.
+//! run that was killed while writing) is left out when the part is read. Tallies stay behind, as
+//! they depend on the threads.
 
 use super::{OpenPair, Row, Sightline, Tally};
 use crate::num::Number;
@@ -66,7 +67,6 @@ struct RowLine {
     source: u32,
     open: Vec<OpenLine>,
     undecided: Vec<u32>,
-    tally: Tally,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -117,7 +117,6 @@ impl Row {
             source: self.source.0,
             open: open.collect(),
             undecided: self.undecided.iter().map(|cell| cell.0).collect(),
-            tally: self.tally,
         };
         Ok(serde_json::to_string(&line)? + "\n")
     }
@@ -146,7 +145,7 @@ impl Row {
             source: cell(line.source)?,
             open: open.collect::<Result<_, String>>()?,
             undecided: line.undecided.into_iter().map(cell).collect::<Result<_, String>>()?,
-            tally: line.tally,
+            tally: Tally::default(),
         })
     }
 }

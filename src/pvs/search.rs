@@ -373,15 +373,13 @@ impl<'a> Search<'a> {
 impl Tally {
     /// Adds the counts of another.
     pub fn add(&mut self, other: &Tally) {
-        let Tally { candidates, refuted, visited, excluded, inherited, proposed, cones, cone_open } =
-            other;
-        self.candidates += candidates;
-        self.refuted += refuted;
-        self.visited += visited;
-        self.excluded += excluded;
-        self.inherited += inherited;
-        self.proposed += proposed;
-        self.cones += cones;
-        self.cone_open += cone_open;
+        self.candidates += other.candidates;
+        self.refuted += other.refuted;
+        self.visited += other.visited;
+        self.excluded += other.excluded;
+        self.inherited += other.inherited;
+        self.proposed += other.proposed;
+        self.cones += other.cones;
+        self.cone_open += other.cone_open;
     }
 }

@@ -38,10 +38,9 @@ fn supporting(
     outside: Sign,
     own: &[u32],
 ) -> Option<Plane> {
-    let sense = if outside == Sign::Positive { 1.0 } else { -1.0 };
     let ends = [arena.point(u), arena.point(v)];
     let candidates = polygon.iter().map(|&w| arena.point(w));
-    let touched = polygon[supporting_vertex(ends, candidates, sense)?];
+    let touched = polygon[supporting_vertex(ends, candidates, outside)?];
     let plane = arena.plane([u, v, touched]);
     let mut apart = false;
     let mut holds = |w: u32, side: Sign| {

@@ -8,10 +8,11 @@
 //! - Lines in the plane of some portal: such a line can be moved within the plane until it passes
 //!   two points of the finite set of vertices in the plane and end points of the plane's traces
 //!   on the other portals, or is the meet of two portals' planes. All of them are tried (step a).
-//! - Lines that cross all planes forward lie in the cone of the edges' half-spaces, where the sum of
-//!   its rays tells whether any vector crosses forward (step b). With lineality, the quadric can be
-//!   reached along it iff it is not orthogonal to the whole cone (step c). Without, it is reached
-//!   where it takes both signs; else only at isotropic rays and double roots on edges (step d).
+//! - Lines that cross all planes forward lie in the cone of the edges' half-spaces, where the sum
+//!   of its rays tells whether any vector crosses forward (step b). With lineality, the quadric can
+//!   be reached along it iff it is not orthogonal to the whole cone (step c). Without, it is
+//!   reached where it takes both signs; else only at isotropic rays and double roots on edges (step
+//!   d).
 //!
 //! Proofs: `docs/formats/stab.md`. For n edges and m portals, step a costs O(m n² · n).
 

@@ -1,4 +1,5 @@
-//! Does a cone contain a line in its interior? The signs of the Klein quadric on its rays and edges.
+//! Does a cone contain a line in its interior? The signs of the Klein quadric on its rays and
+//! edges.
 //!
 //! Real lines are the `x` of R^6 with Q(x) = d · m = 0. A full-dimensional cone of a portal
 //! sequence has a line in its interior iff Q takes both strict signs on it; and by the theorem in

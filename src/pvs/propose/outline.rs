@@ -1,5 +1,6 @@
 //! Where portals are, roughly: centres and radii, and which planes might have one behind them.
 
+use crate::num::Sign;
 use crate::predicates::filtered::{Approx3, FilteredPlane};
 use glam::DVec3;
 
@@ -72,14 +73,15 @@ impl PlaneHints {
 /// Proposes the vertex of a polygon beyond which there is none, turning about the edge from
 /// `u` to `v`: its index, or `None` if all are on the edge's own line.
 ///
-/// `sense` is 1 to turn counter-clockwise about the edge, -1 to turn clockwise.
+/// `sense` is positive to turn counter-clockwise about the edge, else negative.
 pub(crate) fn supporting_vertex<'a>(
     [u, v]: [&Approx3; 2],
     polygon: impl Iterator<Item = &'a Approx3>,
-    sense: f64,
+    sense: Sign,
 ) -> Option<usize> {
     let origin = DVec3::from(u.floats());
-    let along = (DVec3::from(v.floats()) - origin) * sense;
+    let along = DVec3::from(v.floats()) - origin;
+    let along = if sense == Sign::Positive { along } else { -along };
     let mut best = None;
     let mut normal = DVec3::ZERO;
     for (index, vertex) in polygon.enumerate() {
