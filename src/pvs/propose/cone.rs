@@ -144,12 +144,12 @@ impl SequenceCone {
             let center = arena.outline(portal).center;
             foot + direction * (center - foot).dot(direction)
         };
-        let start = near(path[0]);
-        let end = near(path[path.len() - 1]);
+        let (start, end) = (near(path[0]), near(path[path.len() - 1]));
         // Points far apart round to nearly the same line; beyond the bound no filter sees them.
-        let apart = APART.min(arena.bound().largest() / 2.0);
-        let end = if end.distance(start) < apart { start + direction * apart } else { end };
-        ROUNDING_BITS.into_iter().filter_map(move |bits| {
+        let far = start + direction * APART.min(arena.bound().largest() / 2.0);
+        let ends = [end, far];
+        let choices = ROUNDING_BITS.into_iter().flat_map(move |bits| ends.map(|end| (bits, end)));
+        choices.filter_map(move |(bits, end)| {
             let scale = (1u64 << bits) as f64;
             let point = |p: DVec3| (p * scale).round().to_array();
             Sightline::dyadic([point(start), point(end)], bits)
@@ -164,7 +164,8 @@ fn find_line(halves: &mut Vec<Half>, search: &mut NormPoint) -> Result<FrameLine
     }
 }
 
-/// World units between the two points of a proposed line, at least, in scenes larger than that.
+/// World units between the two points of a proposed line, in scenes larger than that, where two
+/// points on its portals do not do.
 const APART: f64 = 64.0;
 
 /// The grids to try, as powers of 1/2: integers first.
