@@ -150,8 +150,8 @@ impl Arena {
             sources: graph.portals.iter().map(|portal| portal.source).collect(),
         };
         for portal in &graph.portals {
-            let corner = arena.corner(&portal.vertices);
-            let [a, b, c] = corner;
+            // A validated portal has no collinear vertices: any three of them span its plane.
+            let [a, b, c] = [0, 1, 2].map(|i| portal.vertices[i]);
             arena.add(portal.vertices.iter().copied(), [a, b, c], [portal.from.0, portal.to.0]);
             let reversed = portal.vertices.iter().rev().copied();
             arena.add(reversed, [a, c, b], [portal.to.0, portal.from.0]);
@@ -173,12 +173,6 @@ impl Arena {
         self.planes.push(self.plane(corner));
         let [from, to] = cells;
         self.spans.push(Span { first: first as u32, end: self.ids.len() as u32, from, to });
-    }
-
-    /// Three vertices of a convex polygon that are not collinear, in its order. (A validated
-    /// portal has no collinear vertices, so the first three are.)
-    fn corner(&self, ids: &[u32]) -> [u32; 3] {
-        [ids[0], ids[1], ids[2]]
     }
 
     fn index_cells(&mut self) {
