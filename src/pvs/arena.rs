@@ -232,6 +232,11 @@ impl Arena {
         &self.points[vertex as usize]
     }
 
+    /// The points of some vertices.
+    pub fn points<'a>(&'a self, vertices: &'a [u32]) -> impl Iterator<Item = &'a Approx3> {
+        vertices.iter().map(|&vertex| self.point(vertex))
+    }
+
     pub fn outline(&self, portal: Directed) -> &Outline {
         &self.outlines[portal as usize]
     }

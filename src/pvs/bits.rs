@@ -88,6 +88,13 @@ impl Bits {
         }
     }
 
+    /// The words that are not empty, with their indices, instead of those in `into`.
+    pub fn words(&self, into: &mut Vec<(u32, u64)>) {
+        into.clear();
+        let words = self.words.iter().enumerate().map(|(index, &word)| (index as u32, word));
+        into.extend(words.filter(|&(_, word)| word != 0));
+    }
+
     /// The members in ascending order.
     pub fn iter(&self) -> impl Iterator<Item = u32> + '_ {
         self.words.iter().enumerate().flat_map(|(i, &word)| {
@@ -117,7 +124,8 @@ impl SharedBits {
         self.words[member as usize / 64].fetch_and(!(1 << (member % 64)), Relaxed);
     }
 
-    pub fn intersects(&self, other: &Bits) -> bool {
-        self.words.iter().zip(&other.words).any(|(a, b)| a.load(Relaxed) & b != 0)
+    /// Whether a member is in one of the `words` of another set.
+    pub fn intersects(&self, words: &[(u32, u64)]) -> bool {
+        words.iter().any(|&(index, word)| self.words[index as usize].load(Relaxed) & word != 0)
     }
 }

@@ -8,16 +8,28 @@
 
 use super::Tally;
 use super::arena::{Arena, Directed};
-use super::propose::{ConePoint, Proposal, SequenceCone};
+use super::propose::{ConePoint, FrameLine, Proposal, RoughLines, SequenceCone};
 use super::sightline::{Ray, Sightline};
 use crate::num::Int;
-use crate::stab::{Stabber, Witness, edges_exclude_lines};
+use crate::stab::{EdgeCone, EdgeLines, Stabber, Witness, six_edges_exclude_lines};
+use glam::DVec3;
+use num_traits::ToPrimitive;
 
 /// Whether a sequence is open.
 pub(crate) enum Decision {
     Open(Sightline),
     NotOpen,
 }
+
+/// What a few edges of a sequence say.
+enum Few {
+    NotOpen,
+    Open(Ray),
+    Undecided,
+}
+
+/// With more edges than this, the cone of all is no more work.
+const MOST_EDGES: usize = 24;
 
 /// What is known of the sequence that ends with a portal of the path.
 #[derive(Default)]
@@ -85,35 +97,80 @@ impl<'a> Decider<'a> {
         }
         match proposal {
             Proposal::Line(line) => {
-                let mut rays = self.cone.roundings(arena, path, &line);
-                let stabbing =
-                    |line: Sightline| Ray::new(arena, &line).filter(|ray| ray.stabs(arena, path));
-                if let Some(ray) = rays.find_map(stabbing) {
+                if let Some(ray) = self.checked(path, &line) {
                     tally.proposed += 1;
-                    let line = ray.sightline();
-                    known.ray = Some(ray);
-                    return Decision::Open(line);
+                    return self.open_by(ray);
                 }
             }
             Proposal::Blocking(places) => {
                 tally.cones += 1;
-                if self.exclude_lines(path, &places) {
-                    return Decision::NotOpen;
+                match self.decide_by_few(path, places) {
+                    Few::NotOpen => return Decision::NotOpen,
+                    Few::Open(ray) => {
+                        tally.cone_open += 1;
+                        return self.open_by(ray);
+                    }
+                    Few::Undecided => {}
                 }
             }
         }
         self.decide_exactly(path, tally)
     }
 
-    /// Whether some of the path's edges, given by their places in the cone, let no line through,
-    /// which is proved.
-    fn exclude_lines(&self, path: &[Directed], places: &[usize]) -> bool {
-        let edges: Vec<_> = places.iter().map(|&place| self.cone.edge(place)).collect();
-        let portals: Vec<Directed> = edges.iter().map(|edge| path[edge.position]).collect();
-        let (portals, _) = self.arena.exact_portals(&portals);
-        let edges: Vec<_> =
-            portals.into_iter().zip(&edges).map(|(portal, edge)| (portal, edge.edge)).collect();
-        edges_exclude_lines(&edges)
+    /// Notes that the line stabs the path.
+    fn open_by(&mut self, ray: Ray) -> Decision {
+        let line = ray.sightline();
+        self.known.last_mut().expect("the path was extended").ray = Some(ray);
+        Decision::Open(line)
+    }
+
+    /// The line in small numbers, if it stabs the path.
+    fn checked(&self, path: &[Directed], line: &FrameLine) -> Option<Ray> {
+        let arena = self.arena;
+        let stabbing =
+            |line: Sightline| Ray::new(arena, &line).filter(|ray| ray.stabs(arena, path));
+        self.cone.roundings(arena, path, line).find_map(stabbing)
+    }
+
+    /// Decides by some of the path's edges, at first those at `places` in the cone: if no line is
+    /// on the positive side of them, the path is not open, which is proved; else an edge is added
+    /// that the lines left do not pass, or there is a line that passes all.
+    fn decide_by_few(&self, path: &[Directed], mut places: Vec<usize>) -> Few {
+        let (portals, per_world) = self.arena.exact_portals(path);
+        let edge = |place: usize| {
+            let edge = self.cone.edge(place);
+            (portals[edge.position], edge.edge)
+        };
+        if let Some(six) = self.cone.six(&places)
+            && six_edges_exclude_lines(six.map(edge))
+        {
+            return Few::NotOpen;
+        }
+        let origin = &portals[0].vertices()[0];
+        let mut cone = EdgeCone::new(&origin.coordinates);
+        let rough = |c: &Int| c.to_f64().unwrap_or(f64::NAN);
+        let per_world = rough(&per_world);
+        let origin = DVec3::from(origin.coordinates.each_ref().map(rough)) / per_world;
+        places.iter().for_each(|&place| cone.push(edge(place)));
+        while places.len() <= MOST_EDGES {
+            let (inside, ends) = match cone.lines() {
+                EdgeLines::None => return Few::NotOpen,
+                EdgeLines::Between { inside, ends } => (inside, Some(ends)),
+                EdgeLines::Lineality { inside } => (inside, None),
+            };
+            let lines = RoughLines { inside, ends, origin, per_world };
+            match self.cone.follow(&places, &lines) {
+                None => break,
+                Some(Ok(line)) => {
+                    return self.checked(path, &line).map_or(Few::Undecided, Few::Open);
+                }
+                Some(Err(place)) => {
+                    places.push(place);
+                    cone.push(edge(place));
+                }
+            }
+        }
+        Few::Undecided
     }
 
     /// Decides by the exact cone of all.

@@ -117,6 +117,7 @@ pub(crate) struct Search<'a> {
     candidates: Bits,
     goals: Bits,
     goal_portals: Bits,
+    goal_words: Vec<(u32, u64)>,
     stack: Vec<u32>,
     dead_ends: DeadEnds,
     longest: Option<(Vec<Directed>, DeadEnd)>,
@@ -143,6 +144,7 @@ impl<'a> Search<'a> {
             candidates: arena.no_portals(),
             goals: arena.no_cells(),
             goal_portals: arena.no_portals(),
+            goal_words: Vec::new(),
             stack: Vec::new(),
             dead_ends: DeadEnds::default(),
             longest: None,
@@ -315,10 +317,11 @@ impl<'a> Search<'a> {
                 self.goal_portals.insert(portal);
             }
         }
-        let (bounds, goal_portals) = (self.bounds, &self.goal_portals);
-        self.flood.reached.retain(|portal| {
-            goal_portals.has(portal) || bounds.after(portal).intersects(goal_portals)
-        });
+        self.goal_portals.words(&mut self.goal_words);
+        let (bounds, goal_portals, words) = (self.bounds, &self.goal_portals, &self.goal_words);
+        self.flood
+            .reached
+            .retain(|portal| goal_portals.has(portal) || bounds.after(portal).intersects(words));
         let might = &mut self.levels[depth].might;
         might.clear();
         self.stack.extend(self.goals.iter());

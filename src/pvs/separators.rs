@@ -39,8 +39,8 @@ fn supporting(
     own: &[u32],
 ) -> Option<Plane> {
     let ends = [arena.point(u), arena.point(v)];
-    let candidates = polygon.iter().map(|&w| arena.point(w));
-    let touched = polygon[supporting_vertex(ends, candidates, outside)?];
+    let touched =
+        polygon[supporting_vertex(ends, arena.points(polygon), arena.points(own), outside)?];
     let plane = arena.plane([u, v, touched]);
     let mut apart = false;
     let mut holds = |w: u32, side: Sign| {
@@ -61,7 +61,7 @@ fn supporting(
             }
     };
     let separates =
-        polygon.iter().all(|&w| holds(w, -outside)) && own.iter().all(|&w| holds(w, outside));
+        own.iter().all(|&w| holds(w, outside)) && polygon.iter().all(|&w| holds(w, -outside));
     // A plane with all of both polygons in it proves nothing.
     (separates && apart).then_some(plane)
 }

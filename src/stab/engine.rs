@@ -34,6 +34,31 @@ macro_rules! each {
     };
 }
 
+/// Evaluates an expression with `$ring` standing for the narrowest arithmetic that serves a range.
+macro_rules! in_range {
+    ($range:expr, $ring:ident => $value:expr) => {{
+        use $crate::num::{Int192, Int256, Int320};
+        let range: Range = $range;
+        if range.fits::<i128>() {
+            type $ring = i128;
+            $value
+        } else if range.fits::<Int192>() {
+            type $ring = Int192;
+            $value
+        } else if range.fits::<Int256>() {
+            type $ring = Int256;
+            $value
+        } else if range.fits::<Int320>() {
+            type $ring = Int320;
+            $value
+        } else {
+            type $ring = Int;
+            $value
+        }
+    }};
+}
+pub(super) use in_range;
+
 /// The range of some rows: bits of their moments and of their directions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Range {
@@ -55,7 +80,8 @@ impl Range {
         })
     }
 
-    fn fits<R: Ring>(self) -> bool {
+    /// Whether the arithmetic serves the range.
+    pub(super) fn fits<R: Ring>(self) -> bool {
         // Entries of rows are 64 bits wide in all fixed widths.
         R::BUDGET.is_none_or(|budget| {
             3 * (self.moment + self.direction) <= budget && self.moment.max(self.direction) <= 63

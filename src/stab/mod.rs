@@ -9,6 +9,7 @@ mod certificate;
 mod cone;
 mod engine;
 mod extremal;
+mod few;
 mod grazing;
 pub mod hourglass;
 mod line;
@@ -25,7 +26,8 @@ mod witness;
 
 pub use certificate::{Certificate, Condition, ConeSigns, Term};
 pub use extremal::{EdgeName, ExtremalLine};
+pub use few::{EdgeCone, EdgeLines, PortalEdge, RoughVector, six_edges_exclude_lines};
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
-pub use stabber::{ConeShape, Stabber, Verdict, decide_open, edges_exclude_lines};
+pub use stabber::{ConeShape, Stabber, Verdict, decide_open};
 pub use witness::Witness;

@@ -223,30 +223,6 @@ pub(super) fn rows_of(
     edges.chain(order.map(|(row, _)| (row, true))).collect()
 }
 
-/// Whether no line is strictly on the positive side of all of some portals' edges.
-///
-/// The edges need not be all of a polygon, so rule 5 looks behind every triple of them. Where
-/// their cone contains a line and its opposite, nothing is decided and the answer is `false`.
-pub fn edges_exclude_lines(edges: &[(&Portal3, usize)]) -> bool {
-    let Some((portal, _)) = edges.first() else { return false };
-    let origin = &portal.vertices()[0].coordinates;
-    let rows: Vec<(Vector, bool)> =
-        edges.iter().map(|(portal, edge)| (portal.edge_row(*edge, origin), true)).collect();
-    let range = Range::default().with(rows.iter().map(|(row, _)| row));
-    let mut cone = Engine::everything().widened_for(range);
-    if rows.iter().any(|(row, _)| cone.push(row) != Push::Strict) {
-        return true;
-    }
-    if cone.has_lineality() {
-        return false;
-    }
-    let mut signs = cone.signs();
-    if !signs.found() {
-        signs_behind_triples(&mut signs, &cone.ray_sides(), &rows);
-    }
-    !signs.found()
-}
-
 /// Decides a whole sequence: a witness where it is open, `None` where it is not.
 ///
 /// `orders[i]` asks that portal `i` be crossed after portal `i - 1`; missing entries ask nothing.

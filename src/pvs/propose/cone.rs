@@ -1,10 +1,12 @@
 //! The cone of a sequence in floats: its half-spaces, a point inside, a line inside.
 
 use super::frame::{Bivector, Frame, half};
-use super::line::{FrameLine, propose_line};
+use super::line::{FrameLine, line_between, propose_line};
 use super::norm::{Half, NormPoint, Outcome, dot};
+use super::six::agreeing_six;
 use crate::pvs::arena::{Arena, Directed};
 use crate::pvs::sightline::Sightline;
+use crate::stab::RoughVector;
 use glam::DVec3;
 
 /// What is known of a path's cone, to go on from when the path is extended.
@@ -35,6 +37,18 @@ pub(crate) enum Proposal {
     Line(FrameLine),
     /// Half-spaces that together seem to let no line through, by their places in the cone.
     Blocking(Vec<usize>),
+}
+
+/// What some half-spaces leave, by points of R^6 (`stab::EdgeLines`).
+pub(crate) struct RoughLines {
+    /// Strictly inside.
+    pub inside: RoughVector,
+    /// On both sides of the quadric.
+    pub ends: Option<[RoughVector; 2]>,
+    /// The point that moments are taken about, in world coordinates.
+    pub origin: DVec3,
+    /// The points' units in one world unit.
+    pub per_world: f64,
 }
 
 /// The edge of a half-space.
@@ -106,6 +120,31 @@ impl SequenceCone {
                 Some(_) | None => return Proposal::Line(line),
             }
         }
+    }
+
+    /// Six of the half-spaces at `places` of whose pairwise products the Klein form, or its
+    /// negative, seems to be a combination with no negative weight.
+    pub fn six(&self, places: &[usize]) -> Option<[usize; 6]> {
+        let halves: Vec<Half> = places.iter().map(|&place| self.halves[place]).collect();
+        let six = agreeing_six(&halves)?;
+        Some(six.map(|i| places[i]))
+    }
+
+    /// The next half-space to add to those at `places`, which seem to have the `lines`; or a line
+    /// that seems to be inside all.
+    pub fn follow(&self, places: &[usize], lines: &RoughLines) -> Option<Result<FrameLine, usize>> {
+        let frame = |x: &RoughVector| {
+            let [d, m] = [[x[0], x[1], x[2]], [x[3], x[4], x[5]]].map(DVec3::from);
+            self.frame.bivector(d, m / lines.per_world, lines.origin)
+        };
+        let inside = frame(&lines.inside);
+        let line =
+            lines.ends.as_ref().and_then(|ends| line_between(inside, ends.each_ref().map(frame)));
+        let point = line.map_or(inside, |line| line.bivector());
+        let sides = self.halves.iter().map(|half| dot(half, &point)).enumerate();
+        let others = sides.filter(|(place, _)| !places.contains(place));
+        let (place, least) = others.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(line.filter(|_| least > 0.0).ok_or(place))
     }
 
     /// Looks for a point strictly inside; failing that, the edges that seem to exclude each other.

@@ -59,6 +59,14 @@ impl Frame {
         self.to_world * d
     }
 
+    /// The point of R^6 whose direction and moment about `origin` are given in world coordinates.
+    pub fn bivector(&self, direction: DVec3, moment: DVec3, origin: DVec3) -> Half {
+        let moment = moment + (origin - self.origin).cross(direction);
+        let cofactors = self.to_world.transpose() * self.to_frame.determinant();
+        let (d, m) = (self.to_frame * direction, cofactors * moment);
+        [d.x, d.y, d.z, m.x, m.y, m.z]
+    }
+
     /// The same point of R^6 in world coordinates: directions map by the linear part, moments
     /// about the frame's origin by its cofactors.
     pub fn world_bivector(&self, x: &Half) -> Bivector {

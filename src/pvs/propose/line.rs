@@ -92,6 +92,23 @@ fn search(halves: &mut Vec<Half>, mut x: Half) -> Result<FrameLine, Vec<u32>> {
     on_quadric(&halves[..count], &x).ok_or(blocking)
 }
 
+/// The line that a cone seems to have between a point strictly inside it and one of two points of
+/// it on which the quadric is positive and negative.
+pub(crate) fn line_between(inside: Half, [positive, negative]: [Half; 2]) -> Option<FrameLine> {
+    let inside = unit(inside);
+    let q = quadric(&inside);
+    let end = unit(if q > 0.0 { negative } else { positive });
+    // The end may lie on the cone's boundary: a point near it does not.
+    let near = |share: f64| std::array::from_fn(|i| end[i] + share * inside[i]);
+    let shares = std::iter::successors(Some(1.0), |share| Some(share / 4.0)).take(SHARES);
+    let end = shares.map(near).find(|x| quadric(x) * q < 0.0)?;
+    let t = crossing(q, dot(&end, &swapped(&inside)), quadric(&end))?;
+    on_quadric(&[], &std::array::from_fn(|i| inside[i] + t * end[i]))
+}
+
+/// How near an end is approached.
+const SHARES: usize = 16;
+
 /// The least positive root of q + b t + a t².
 fn crossing(q: f64, b: f64, a: f64) -> Option<f64> {
     let discriminant = b * b - 4.0 * a * q;

@@ -8,6 +8,8 @@ mod frame;
 mod line;
 mod norm;
 mod outline;
+mod six;
 
-pub(crate) use cone::{ConePoint, Proposal, SequenceCone};
+pub(crate) use cone::{ConePoint, Proposal, RoughLines, SequenceCone};
+pub(crate) use line::FrameLine;
 pub(crate) use outline::{Outline, PlaneHints, supporting_vertex};

@@ -74,7 +74,8 @@ impl NormPoint {
         // The half-spaces may have been scaled since: the corral keeps its members only.
         let equal = 1.0 / self.corral.count as f64;
         self.corral.weights().for_each(|weight| *weight = equal);
-        let mut x = match self.settle(halves) {
+        let mut columns = Orthogonal::default();
+        let mut x = match self.settle(halves, &mut columns) {
             Some(x) => x,
             None => {
                 self.corral = Corral::default();
@@ -92,12 +93,13 @@ impl NormPoint {
                 return Outcome::Inside(x);
             }
             if value >= norm2 * (1.0 - 1e-9)
+                || self.corral.count == self.corral.members.len()
                 || self.corral.members().iter().any(|member| member.0 == least)
             {
                 break;
             }
             self.corral.push(least, 0.0);
-            match self.settle(halves) {
+            match self.settle(halves, &mut columns) {
                 Some(next) => x = next,
                 None => break,
             }
@@ -111,9 +113,9 @@ impl NormPoint {
     }
 
     /// Moves the weights to the least point of the corral's hull, dropping what gets no weight.
-    fn settle(&mut self, halves: &[Half]) -> Option<Half> {
+    fn settle(&mut self, halves: &[Half], columns: &mut Orthogonal) -> Option<Half> {
         while self.corral.count > 0 {
-            let (target, x) = affine_least(halves, self.corral.members())?;
+            let (target, x) = columns.affine_least(halves, self.corral.members())?;
             let mut step = 1.0f64;
             let mut blocking = None;
             for (i, (&(_, now), &then)) in self.corral.members().iter().zip(&target).enumerate() {
@@ -150,50 +152,83 @@ fn least(halves: &[Half], x: &Half) -> (u32, f64) {
     best
 }
 
-/// The least point of the affine hull of the corral and its weights, by orthogonalising the
-/// differences from the first member (twice, which keeps the result orthogonal to full precision:
-/// thin cones have least points of norm 1e-10).
-fn affine_least(halves: &[Half], corral: &[(u32, f64)]) -> Option<([f64; 7], Half)> {
-    let n = corral.len();
-    if n > 7 {
-        return None;
+/// The differences of a corral's members from its first, orthogonalised (twice, which keeps the
+/// result orthogonal to full precision: thin cones have least points of norm 1e-10).
+///
+/// A column depends on the members before it only, so what is known of a corral's first members
+/// serves however the others change.
+#[derive(Default)]
+struct Orthogonal {
+    /// The members whose columns are known.
+    members: [u32; 7],
+    known: usize,
+    /// Column `i` belongs to member `i + 1`.
+    q: [Half; 6],
+    r: [[f64; 6]; 6],
+}
+
+impl Orthogonal {
+    /// Brings the columns up to date; `false` if the members are not affinely independent.
+    fn update(&mut self, halves: &[Half], corral: &[(u32, f64)]) -> bool {
+        let kept = self.members[..self.known].iter().zip(corral);
+        self.known = kept.take_while(|(known, member)| **known == member.0).count();
+        let base = halves[corral[0].0 as usize];
+        for i in self.known..corral.len() {
+            self.members[i] = corral[i].0;
+            if i > 0 {
+                let mut column = halves[corral[i].0 as usize];
+                subtract(&mut column, 1.0, &base);
+                let length = self.orthogonalise(i - 1, &mut column);
+                if length < NOTHING {
+                    return false;
+                }
+                self.q[i - 1] = column.map(|c| c / length);
+            }
+            self.known = i + 1;
+        }
+        true
     }
-    let base = halves[corral[0].0 as usize];
-    let mut q = [[0.0f64; 6]; 6];
-    let mut r = [[0.0f64; 6]; 6];
-    for i in 1..n {
-        let mut column = halves[corral[i].0 as usize];
-        subtract(&mut column, 1.0, &base);
+
+    /// Makes `column` orthogonal to the columns before `place`; its length then.
+    fn orthogonalise(&mut self, place: usize, column: &mut Half) -> f64 {
+        let mut along = [0.0; 6];
         for _ in 0..2 {
-            for j in 0..i - 1 {
-                let along = dot(&q[j], &column);
-                r[j][i - 1] += along;
-                subtract(&mut column, along, &q[j]);
+            for (q, along) in self.q[..place].iter().zip(&mut along) {
+                let more = dot(q, column);
+                *along += more;
+                subtract(column, more, q);
             }
         }
-        let length = dot(&column, &column).sqrt();
-        if length < NOTHING {
+        along[place] = dot(column, column).sqrt();
+        for (row, along) in self.r.iter_mut().zip(along) {
+            row[place] = along;
+        }
+        along[place]
+    }
+
+    /// The least point of the affine hull of the corral, and its weights.
+    fn affine_least(&mut self, halves: &[Half], corral: &[(u32, f64)]) -> Option<([f64; 7], Half)> {
+        if !self.update(halves, corral) {
             return None;
         }
-        r[i - 1][i - 1] = length;
-        q[i - 1] = column.map(|c| c / length);
-    }
-    let mut x = base;
-    let mut right = [0.0f64; 6];
-    for _ in 0..2 {
-        for j in 0..n - 1 {
-            let along = dot(&q[j], &x);
-            right[j] -= along;
-            subtract(&mut x, along, &q[j]);
+        let columns = corral.len() - 1;
+        let mut x = halves[corral[0].0 as usize];
+        let mut right = [0.0f64; 6];
+        for _ in 0..2 {
+            for (q, right) in self.q[..columns].iter().zip(&mut right) {
+                let along = dot(q, &x);
+                *right -= along;
+                subtract(&mut x, along, q);
+            }
         }
+        let mut weights = [0.0f64; 7];
+        for i in (0..columns).rev() {
+            let rest: f64 = (i + 1..columns).map(|k| self.r[i][k] * weights[k + 1]).sum();
+            weights[i + 1] = (right[i] - rest) / self.r[i][i];
+        }
+        weights[0] = 1.0 - weights[1..=columns].iter().sum::<f64>();
+        Some((weights, x))
     }
-    let mut weights = [0.0f64; 7];
-    for i in (0..n - 1).rev() {
-        let rest: f64 = (i + 1..n - 1).map(|k| r[i][k] * weights[k + 1]).sum();
-        weights[i + 1] = (right[i] - rest) / r[i][i];
-    }
-    weights[0] = 1.0 - weights[1..n].iter().sum::<f64>();
-    Some((weights, x))
 }
 
 #[cfg(test)]

@@ -70,13 +70,15 @@ impl PlaneHints {
     }
 }
 
-/// Proposes the vertex of a polygon beyond which there is none, turning about the edge from
-/// `u` to `v`: its index, or `None` if all are on the edge's own line.
+/// Proposes the vertex of `polygon` beyond which there is none, turning about the edge from `u` to
+/// `v`: its index. `None` if all are on the edge's own line, or if the plane there seems to have
+/// some of `own`, the edge's polygon, on the same side.
 ///
 /// `sense` is positive to turn counter-clockwise about the edge, else negative.
 pub(crate) fn supporting_vertex<'a>(
     [u, v]: [&Approx3; 2],
     polygon: impl Iterator<Item = &'a Approx3>,
+    mut own: impl Iterator<Item = &'a Approx3>,
     sense: Sign,
 ) -> Option<usize> {
     let origin = DVec3::from(u.floats());
@@ -95,5 +97,14 @@ pub(crate) fn supporting_vertex<'a>(
             }
         }
     }
-    best
+    let seems_beyond = |vertex: &Approx3| {
+        let towards = DVec3::from(vertex.floats()) - origin;
+        let height = normal.dot(towards);
+        height >= 0.0
+            || height * height <= ROUNDING2 * normal.length_squared() * towards.length_squared()
+    };
+    best.filter(|_| own.all(seems_beyond))
 }
+
+/// The square of a sine that may be zero but for rounding.
+const ROUNDING2: f64 = 1e-24;

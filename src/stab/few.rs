@@ -1,0 +1,168 @@
+//! Whether a few directed edges already let no line through.
+//!
+//! A portal sequence is not open if some of its edges are not passed by any line; mostly six or
+//! seven out of fifty are enough, and a cone of few half-spaces is small.
+
+use super::cone::{Push, dot};
+use super::engine::{Engine, Range, in_range};
+use super::quadric::{Vector, signs_behind_triples};
+use super::ring::Ring;
+use super::sequence::Portal3;
+use super::wedge::Wedge;
+use crate::num::{Int, Sign};
+use num_traits::ToPrimitive;
+
+/// An edge of a portal: from this vertex to the next.
+pub type PortalEdge<'a> = (&'a Portal3, usize);
+
+/// The `x` of R^6 on the positive side of some edges, which may grow in number.
+#[derive(Clone, Debug)]
+pub struct EdgeCone {
+    origin: [Int; 3],
+    /// Marked as half-spaces that belong to no polygon: rule 5 looks behind every triple of them.
+    rows: Vec<(Vector, bool)>,
+    range: Range,
+    cone: Engine,
+    strict: bool,
+}
+
+/// What is known of the lines on the positive side of some edges.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EdgeLines {
+    /// There are none, which is proved.
+    None,
+    /// The cone has points on both sides of the Klein quadric, so it may have lines.
+    Between {
+        /// A point strictly inside all half-spaces.
+        inside: RoughVector,
+        /// Points on which the quadric is positive and negative.
+        ends: [RoughVector; 2],
+    },
+    /// The cone has a point and its opposite: nothing is decided.
+    Lineality {
+        /// A point strictly inside all half-spaces.
+        inside: RoughVector,
+    },
+}
+
+/// A vector of R^6 in floats, scaled at will: direction and moment in grid units, about
+/// [`EdgeCone::origin`]. For proposals only.
+pub type RoughVector = [f64; 6];
+
+impl EdgeCone {
+    /// The whole of R^6; `origin`, near the edges to come, keeps their numbers small.
+    pub fn new(origin: &[Int; 3]) -> EdgeCone {
+        EdgeCone {
+            origin: origin.clone(),
+            rows: Vec::new(),
+            range: Range::default(),
+            cone: Engine::everything(),
+            strict: true,
+        }
+    }
+
+    /// The point that moments are taken about.
+    pub fn origin(&self) -> &[Int; 3] {
+        &self.origin
+    }
+
+    /// Adds an edge.
+    pub fn push(&mut self, (portal, edge): PortalEdge<'_>) {
+        let row = portal.edge_row(edge, &self.origin);
+        self.range = self.range.with(std::iter::once(&row));
+        if self.strict {
+            self.cone = self.cone.widened_for(self.range);
+            self.strict = self.cone.push(&row) == Push::Strict;
+        }
+        self.rows.push((row, true));
+    }
+
+    /// Which lines pass on the positive side of all edges so far.
+    pub fn lines(&self) -> EdgeLines {
+        if !self.strict {
+            return EdgeLines::None;
+        }
+        let rays = self.cone.rays();
+        let inside = rays.iter().map(rough).fold([0.0; 6], |sum, ray| {
+            let length = ray.iter().map(|c| c * c).sum::<f64>().sqrt();
+            std::array::from_fn(|i| sum[i] + ray[i] / length)
+        });
+        if self.cone.has_lineality() {
+            return EdgeLines::Lineality { inside };
+        }
+        let mut signs = self.cone.signs();
+        if !signs.found() {
+            signs_behind_triples(&mut signs, &self.cone.ray_sides(), &self.rows);
+        }
+        match (&signs.positive, &signs.negative) {
+            (Some(positive), Some(negative)) => {
+                EdgeLines::Between { inside, ends: [rough(positive), rough(negative)] }
+            }
+            _ => EdgeLines::None,
+        }
+    }
+}
+
+/// The vector in floats, scaled to about 2^60.
+fn rough(vector: &Vector) -> RoughVector {
+    let bits = vector.iter().map(Int::bits).max().unwrap_or(0);
+    let shift = bits.saturating_sub(60);
+    vector.each_ref().map(|c| (c >> shift).to_f64().unwrap_or(0.0))
+}
+
+/// Whether the Klein form is, or its negative, a combination with weights `>= 0` of the pairwise
+/// products of the sides of six edges. Then no line is on the positive side of all.
+///
+/// Let x have the sides t_i = a_i · x with the edges' rows a_i, which shall be independent, and let
+/// r_i be the solution of a_i · r_i = 1, a_j · r_i = 0. Then x = Σ t_i r_i and
+/// 2 Q(x) = Σ side(r_i, r_j) t_i t_j. Where no two side(r_i, r_j) have opposite signs, Q(x) is not
+/// zero for t > 0: not all of them vanish, as the form has full rank.
+///
+/// Exact. The r_i are taken by Cramer's rule, five rows each (`ring` has the ranges).
+pub fn six_edges_exclude_lines(edges: [PortalEdge<'_>; 6]) -> bool {
+    let origin = &edges[0].0.vertices()[0].coordinates;
+    let rows = edges.map(|(portal, edge)| portal.edge_row(edge, origin));
+    let range = Range::default().with(rows.iter());
+    in_range!(range, R => sides_agree::<R>(&rows))
+}
+
+fn sides_agree<R: Ring>(rows: &[Vector; 6]) -> bool {
+    let narrow = |c: &Int| R::narrow(c).expect("the rows are in the range of the arithmetic");
+    let rows = rows.each_ref().map(|row| row.each_ref().map(narrow));
+    let Some(rays) = dual_basis::<R>(&rows) else { return false };
+    let mut seen = [false; 2];
+    for (i, (ray, sign)) in rays.iter().enumerate() {
+        for (other, other_sign) in &rays[..=i] {
+            match R::sign_of(&R::side(ray, other)) * *sign * *other_sign {
+                Sign::Positive => seen[0] = true,
+                Sign::Negative => seen[1] = true,
+                // The two rays meet: their product does not occur in the combination.
+                Sign::Zero => {}
+            }
+        }
+        if seen == [true; 2] {
+            return false;
+        }
+    }
+    true
+}
+
+/// For each row the vector that the other five vanish on, and the sign that the row has on it;
+/// `None` if the rows are dependent.
+fn dual_basis<R: Ring>(rows: &[[R::Narrow; 6]; 6]) -> Option<Vec<([R; 6], Sign)>> {
+    let mut before = Wedge::<R>::empty();
+    let mut rays = Vec::with_capacity(6);
+    for (i, row) in rows.iter().enumerate() {
+        let others = rows[i + 1..].iter().try_fold(before.clone(), |w, row| w.extended(row))?;
+        let ray = others.orthogonal();
+        let sign = dot(&ray, row).sign();
+        if sign == Sign::Zero {
+            return None;
+        }
+        rays.push((ray, sign));
+        if i < 5 {
+            before = before.extended(row)?;
+        }
+    }
+    Some(rays)
+}
