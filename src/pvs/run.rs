@@ -8,7 +8,7 @@ use super::{OpenPair, Row, Tally};
 use crate::report::Progress;
 use crate::scene::{CellId, PortalGraph};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 
 /// What to compute, and within which limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -222,24 +222,24 @@ fn search(
     let limits = Limits { budget: options.budget, is_interrupted: &is_interrupted };
     let work = |source: &Source| u64::from(source.wanted.count());
     progress.begin("cells", todo.iter().map(|source| work(source)).sum());
-    let rows: Vec<Option<Row>> = todo
-        .par_iter()
-        .with_max_len(1)
-        .map_init(
-            || Search::new(arena, &shared, &limits),
-            |search, source| {
-                let row = search.row(source.cell, source.wanted.clone())?;
-                // A budget counts sequences, so what others found must not change their number.
-                if options.budget.is_none() {
-                    for other in search.not_open() {
-                        shared.refute(arena, source.cell, other);
-                    }
+    let next = AtomicUsize::new(0);
+    // Each thread keeps one search, and what it has learnt, from source to source.
+    let of_threads = rayon::broadcast(|_| {
+        let mut search = Search::new(arena, &shared, &limits);
+        let mut rows = Vec::new();
+        while let Some(source) = todo.get(next.fetch_add(1, Relaxed)) {
+            let Some(row) = search.row(source.cell, source.wanted.clone()) else { break };
+            // A budget counts sequences, so what others found must not change their number.
+            if options.budget.is_none() {
+                for other in search.not_open() {
+                    shared.refute(arena, source.cell, other);
                 }
-                keep(&row);
-                progress.advance(work(source));
-                Some(row)
-            },
-        )
-        .collect();
-    rows.into_iter().flatten().collect()
+            }
+            keep(&row);
+            progress.advance(work(source));
+            rows.push(row);
+        }
+        rows
+    });
+    of_threads.into_iter().flatten().collect()
 }

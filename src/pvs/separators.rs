@@ -78,8 +78,8 @@ pub(crate) struct SeparatorCache {
     found: Vec<Plane>,
 }
 
-/// About 80 MiB a thread.
-const LARGEST_CACHE: usize = 1 << 19;
+/// About 10 MiB a thread: a larger one is slower to look up than to make anew.
+const LARGEST_CACHE: usize = 1 << 16;
 
 impl SeparatorCache {
     /// The separating planes of the pair, by their ids.
