@@ -16,8 +16,8 @@ use super::arena::{Arena, Directed, reverse};
 use super::bits::{Bits, SharedBits};
 use super::propose::PlaneHints;
 use super::separators::separators;
-use crate::num::Sign;
 use crate::report::Progress;
+use glam::DVec3;
 use rayon::prelude::*;
 
 /// For each directed portal, those that might be crossed after it.
@@ -100,18 +100,15 @@ impl Bounds {
     }
 }
 
-/// The (undirected) portals that reach in front of the plane of `portal`.
+/// The (undirected) portals that might reach in front of the plane of `portal`: only to leave one
+/// out takes proof.
 fn front(arena: &Arena, portal: Directed) -> Bits {
     let plane = arena.plane_of(portal);
+    let (normal, offset) = (DVec3::from(plane.filter().normal()), plane.filter().offset());
     let mut front = Bits::new(arena.directed() as usize / 2);
     for other in 0..arena.directed() / 2 {
-        let reaches =
-            arena.vertices(2 * other).iter().any(|&vertex| match arena.side(plane, vertex) {
-                Sign::Positive => true,
-                // Touching the plane from behind does not reach in front of it.
-                Sign::Zero | Sign::Negative => false,
-            });
-        if reaches {
+        let seems_in_front = normal.dot(arena.outline(2 * other).center) > offset;
+        if seems_in_front || !arena.wholly_behind(plane, 2 * other) {
             front.insert(other);
         }
     }
