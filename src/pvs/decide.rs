@@ -12,8 +12,6 @@ use super::propose::{ConePoint, FrameLine, Proposal, RoughLines, SequenceCone};
 use super::sightline::{Ray, Sightline};
 use crate::num::Int;
 use crate::stab::{EdgeCone, EdgeLines, Stabber, Witness, six_edges_exclude_lines};
-use glam::DVec3;
-use num_traits::ToPrimitive;
 
 /// Whether a sequence is open.
 pub(crate) enum Decision {
@@ -146,19 +144,15 @@ impl<'a> Decider<'a> {
         {
             return Few::NotOpen;
         }
-        let origin = &portals[0].vertices()[0];
-        let mut cone = EdgeCone::new(&origin.coordinates);
-        let rough = |c: &Int| c.to_f64().unwrap_or(f64::NAN);
-        let per_world = rough(&per_world);
-        let origin = DVec3::from(origin.coordinates.each_ref().map(rough)) / per_world;
+        let mut cone = EdgeCone::new(&portals[0].vertices()[0].coordinates);
         places.iter().for_each(|&place| cone.push(edge(place)));
         while places.len() <= MOST_EDGES {
-            let (inside, ends) = match cone.lines() {
+            let ends = match cone.lines() {
                 EdgeLines::None => return Few::NotOpen,
-                EdgeLines::Between { inside, ends } => (inside, Some(ends)),
-                EdgeLines::Lineality { inside } => (inside, None),
+                EdgeLines::Between(ends) => Some(ends),
+                EdgeLines::Lineality => None,
             };
-            let lines = RoughLines { inside, ends, origin, per_world };
+            let lines = RoughLines::new(&cone, ends.as_deref(), &per_world);
             match self.cone.follow(&places, &lines) {
                 None => break,
                 Some(Ok(line)) => {

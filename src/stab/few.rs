@@ -10,7 +10,6 @@ use super::ring::Ring;
 use super::sequence::Portal3;
 use super::wedge::Wedge;
 use crate::num::{Int, Sign};
-use num_traits::ToPrimitive;
 
 /// An edge of a portal: from this vertex to the next.
 pub type PortalEdge<'a> = (&'a Portal3, usize);
@@ -27,27 +26,19 @@ pub struct EdgeCone {
 }
 
 /// What is known of the lines on the positive side of some edges.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EdgeLines {
     /// There are none, which is proved.
     None,
-    /// The cone has points on both sides of the Klein quadric, so it may have lines.
-    Between {
-        /// A point strictly inside all half-spaces.
-        inside: RoughVector,
-        /// Points on which the quadric is positive and negative.
-        ends: [RoughVector; 2],
-    },
+    /// The cone has these points on both sides of the Klein quadric, so it may have lines.
+    Between(Box<[Vector6; 2]>),
     /// The cone has a point and its opposite: nothing is decided.
-    Lineality {
-        /// A point strictly inside all half-spaces.
-        inside: RoughVector,
-    },
+    Lineality,
 }
 
-/// A vector of R^6 in floats, scaled at will: direction and moment in grid units, about
-/// [`EdgeCone::origin`]. For proposals only.
-pub type RoughVector = [f64; 6];
+/// A vector of R^6, scaled at will: direction and moment in grid units, about
+/// [`EdgeCone::origin`].
+pub type Vector6 = [Int; 6];
 
 impl EdgeCone {
     /// The whole of R^6; `origin`, near the edges to come, keeps their numbers small.
@@ -82,32 +73,23 @@ impl EdgeCone {
         if !self.strict {
             return EdgeLines::None;
         }
-        let rays = self.cone.rays();
-        let inside = rays.iter().map(rough).fold([0.0; 6], |sum, ray| {
-            let length = ray.iter().map(|c| c * c).sum::<f64>().sqrt();
-            std::array::from_fn(|i| sum[i] + ray[i] / length)
-        });
         if self.cone.has_lineality() {
-            return EdgeLines::Lineality { inside };
+            return EdgeLines::Lineality;
         }
         let mut signs = self.cone.signs();
         if !signs.found() {
             signs_behind_triples(&mut signs, &self.cone.ray_sides(), &self.rows);
         }
-        match (&signs.positive, &signs.negative) {
-            (Some(positive), Some(negative)) => {
-                EdgeLines::Between { inside, ends: [rough(positive), rough(negative)] }
-            }
+        match (signs.positive, signs.negative) {
+            (Some(positive), Some(negative)) => EdgeLines::Between(Box::new([positive, negative])),
             _ => EdgeLines::None,
         }
     }
-}
 
-/// The vector in floats, scaled to about 2^60.
-fn rough(vector: &Vector) -> RoughVector {
-    let bits = vector.iter().map(Int::bits).max().unwrap_or(0);
-    let shift = bits.saturating_sub(60);
-    vector.each_ref().map(|c| (c >> shift).to_f64().unwrap_or(0.0))
+    /// The extreme rays of the cone, modulo its lineality; their sum is strictly inside.
+    pub fn rays(&self) -> Vec<Vector6> {
+        self.cone.rays()
+    }
 }
 
 /// Whether the Klein form is, or its negative, a combination with weights `>= 0` of the pairwise
@@ -165,4 +147,54 @@ fn dual_basis<R: Ring>(rows: &[[R::Narrow; 6]; 6]) -> Option<Vec<([R; 6], Sign)>
         }
     }
     Some(rays)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::BigPoint3;
+    use crate::oracle::Random;
+
+    fn triangle(random: &mut Random, reach: i64) -> Portal3 {
+        loop {
+            let point = |random: &mut Random| BigPoint3 {
+                coordinates: [(); 3].map(|()| Int::from(random.between(-reach, reach))),
+            };
+            let points = [(); 3].map(|()| point(random));
+            if let Ok(portal) = Portal3::new(&points) {
+                return portal;
+            }
+        }
+    }
+
+    /// On tiny grids, where edges meet and are parallel, and on large ones: six edges, each in both
+    /// directions, excluded by their products have no line in their cone either; and a cone
+    /// without lines has none with one edge more.
+    #[test]
+    fn six_edges_exclude_only_what_their_cone_excludes() {
+        let mut random = Random::new(6);
+        for reach in [2i64, 3, 1 << 8, 1 << 20, 1 << 40] {
+            let mut excluded = 0;
+            for _ in 0..10 {
+                let portals = [(); 6].map(|()| triangle(&mut random, reach));
+                let reversed = portals.each_ref().map(Portal3::reversed);
+                for turned in 0u32..64 {
+                    // Edge 0 of a triangle is edge 1 of its reverse.
+                    let edges = std::array::from_fn(|i| match turned >> i & 1 {
+                        0 => (&portals[i], 0),
+                        _ => (&reversed[i], 1),
+                    });
+                    if six_edges_exclude_lines(edges) {
+                        excluded += 1;
+                        let mut cone = EdgeCone::new(&portals[0].vertices()[0].coordinates);
+                        edges.iter().for_each(|&edge| cone.push(edge));
+                        assert_eq!(cone.lines(), EdgeLines::None, "{edges:?}");
+                        cone.push((&triangle(&mut random, reach), 0));
+                        assert_eq!(cone.lines(), EdgeLines::None, "{edges:?}");
+                    }
+                }
+            }
+            assert!(excluded > 3, "{excluded} cases within {reach} say little");
+        }
+    }
 }

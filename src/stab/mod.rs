@@ -26,7 +26,7 @@ mod witness;
 
 pub use certificate::{Certificate, Condition, ConeSigns, Term};
 pub use extremal::{EdgeName, ExtremalLine};
-pub use few::{EdgeCone, EdgeLines, PortalEdge, RoughVector, six_edges_exclude_lines};
+pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
 pub use stabber::{ConeShape, Stabber, Verdict, decide_open};

@@ -4,10 +4,12 @@ use super::frame::{Bivector, Frame, half};
 use super::line::{FrameLine, line_between, propose_line};
 use super::norm::{Half, NormPoint, Outcome, dot};
 use super::six::agreeing_six;
+use crate::num::Int;
 use crate::pvs::arena::{Arena, Directed};
 use crate::pvs::sightline::Sightline;
-use crate::stab::RoughVector;
+use crate::stab::{EdgeCone, Vector6};
 use glam::DVec3;
+use num_traits::ToPrimitive;
 
 /// What is known of a path's cone, to go on from when the path is extended.
 #[derive(Clone, Default)]
@@ -39,16 +41,40 @@ pub(crate) enum Proposal {
     Blocking(Vec<usize>),
 }
 
-/// What some half-spaces leave, by points of R^6 (`stab::EdgeLines`).
+/// What some half-spaces leave, by points of R^6 in floats: direction and moment about `origin`, in
+/// world units.
 pub(crate) struct RoughLines {
     /// Strictly inside.
-    pub inside: RoughVector,
+    inside: [DVec3; 2],
     /// On both sides of the quadric.
-    pub ends: Option<[RoughVector; 2]>,
-    /// The point that moments are taken about, in world coordinates.
-    pub origin: DVec3,
-    /// The points' units in one world unit.
-    pub per_world: f64,
+    ends: Option<[[DVec3; 2]; 2]>,
+    origin: DVec3,
+}
+
+impl RoughLines {
+    /// What `cone` leaves, whose grid has `per_world` units in one of the world; `ends` are its
+    /// points on both sides of the quadric, if it has them.
+    pub fn new(cone: &EdgeCone, ends: Option<&[Vector6; 2]>, per_world: &Int) -> RoughLines {
+        let per_world = per_world.to_f64().unwrap_or(f64::NAN);
+        let rough = |vector: &Vector6| {
+            let [dx, dy, dz, mx, my, mz] = floats(vector);
+            [DVec3::new(dx, dy, dz), DVec3::new(mx, my, mz) / per_world]
+        };
+        let inside = cone.rays().iter().map(rough).fold([DVec3::ZERO; 2], |[d, m], [e, n]| {
+            let length = (e.length_squared() + n.length_squared()).sqrt();
+            [d + e / length, m + n / length]
+        });
+        let [x, y, z] = cone.origin().each_ref().map(|c| c.to_f64().unwrap_or(f64::NAN));
+        let origin = DVec3::new(x, y, z) / per_world;
+        RoughLines { inside, ends: ends.map(|ends| ends.each_ref().map(rough)), origin }
+    }
+}
+
+/// The vector in floats, scaled to about 2^60 where it is longer.
+fn floats(vector: &Vector6) -> [f64; 6] {
+    let bits = vector.iter().map(Int::bits).max().unwrap_or(0);
+    let shift = bits.saturating_sub(60);
+    vector.each_ref().map(|c| (c >> shift).to_f64().unwrap_or(0.0))
 }
 
 /// The edge of a half-space.
@@ -133,13 +159,9 @@ impl SequenceCone {
     /// The next half-space to add to those at `places`, which seem to have the `lines`; or a line
     /// that seems to be inside all.
     pub fn follow(&self, places: &[usize], lines: &RoughLines) -> Option<Result<FrameLine, usize>> {
-        let frame = |x: &RoughVector| {
-            let [d, m] = [[x[0], x[1], x[2]], [x[3], x[4], x[5]]].map(DVec3::from);
-            self.frame.bivector(d, m / lines.per_world, lines.origin)
-        };
-        let inside = frame(&lines.inside);
-        let line =
-            lines.ends.as_ref().and_then(|ends| line_between(inside, ends.each_ref().map(frame)));
+        let frame = |[d, m]: [DVec3; 2]| self.frame.bivector(d, m, lines.origin);
+        let inside = frame(lines.inside);
+        let line = lines.ends.and_then(|ends| line_between(inside, ends.map(frame)));
         let point = line.map_or(inside, |line| line.bivector());
         let sides = self.halves.iter().map(|half| dot(half, &point)).enumerate();
         let others = sides.filter(|(place, _)| !places.contains(place));
