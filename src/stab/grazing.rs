@@ -14,6 +14,9 @@
 //!   reached where it takes both signs; else only at isotropic rays and double roots on edges (step
 //!   d).
 //!
+//! A search that walks many sequences ([`TouchingLine`]) first tries the lines through two vertices
+//! and keeps the line found for as long as it touches what is pushed.
+//!
 //! Proofs: `docs/formats/stab.md`. For n edges and m portals, step a costs O(m n² · n).
 
 use super::engine::{Engine, Range};
@@ -61,23 +64,77 @@ pub(super) fn touching_line(portals: &[&Portal3], orders: &[bool]) -> Option<Sta
         let surds = |point: [crate::num::Rational; 3]| point.map(Surd::from);
         return Some(StabLine { points: witness.points.map(surds) });
     }
+    let origin = &portals.first()?.vertices()[0].coordinates;
+    Some(find(portals, origin)?.points(portals, origin))
+}
+
+/// A touching line by the steps a to d, relative to `origin`, a vertex of the first portal.
+fn find(portals: &[&Portal3], origin: &[Int; 3]) -> Option<ExactLine> {
+    let in_plane = portals.iter().find_map(|plane| line_in_plane(plane, portals, origin));
+    let line = in_plane.or_else(|| meet_line(portals, origin)).or_else(|| line_across(portals))?;
+    debug_assert!(line.meets_all(portals, origin), "a touching line passes the direct check");
+    Some(line)
+}
+
+/// A directed line at a finite place that touches every portal of a sequence: crosses its plane
+/// forward and meets the closed polygon, or lies in its plane and meets it.
+#[derive(Clone, Debug)]
+pub struct TouchingLine {
+    line: ExactLine,
+    /// The point that the line takes for the origin.
+    origin: [Int; 3],
+}
+
+impl TouchingLine {
+    /// A line that touches all of `portals`, whether or not one passes strictly inside them; `None`
+    /// where they are blocked. The order of the portals is not asked for.
+    pub fn of(portals: &[&Portal3]) -> Option<TouchingLine> {
+        let (first, last) = (portals.first()?, portals.last()?);
+        let origin = first.vertices()[0].coordinates.clone();
+        let passes = |line: &ExactLine| line.meets_all(portals, &origin);
+        let line = through_vertices(first, last, &origin).find(passes);
+        let line = line.or_else(|| find(portals, &origin))?;
+        Some(TouchingLine { line, origin })
+    }
+
+    /// Whether the line touches one more portal.
+    pub fn touches(&self, portal: &Portal3) -> bool {
+        self.line.meets(portal, &self.origin)
+    }
+}
+
+/// The lines through a vertex of each portal, in both directions.
+fn through_vertices(
+    first: &Portal3,
+    last: &Portal3,
+    origin: &[Int; 3],
+) -> impl Iterator<Item = ExactLine> {
+    let places = |portal: &Portal3| -> Vec<([Int; 3], Int)> {
+        let place = |v: &crate::geom::BigPoint3| (sub(&v.coordinates, origin), Int::from(1));
+        portal.vertices().iter().map(place).collect()
+    };
+    let ends = places(last);
+    places(first).into_iter().flat_map(move |p| {
+        let lines: Vec<ExactLine> =
+            ends.iter().map(|q| ExactLine::rational(through(&p, q))).collect();
+        lines.into_iter().flat_map(|line| [line.reversed(), line])
+    })
+}
+
+/// A touching line that crosses every portal's plane forward (steps b to d).
+fn line_across(portals: &[&Portal3]) -> Option<ExactLine> {
     let cone = ClosedCone::new(portals);
+    let inside = cone.rays.iter().fold(zero(), |sum, ray| plus(&sum, ray));
+    let forward = |p: &&Portal3| Sign::of(&slope_of(&inside, p.normal())) == Sign::Positive;
+    if !portals.iter().all(forward) {
+        return None;
+    }
+    if !cone.lineality.is_empty() {
+        return along_lineality(&inside, &cone);
+    }
     let passes = |line: &ExactLine| line.meets_all(portals, &cone.origin);
-    let in_plane = portals.iter().find_map(|plane| line_in_plane(plane, portals, &cone.origin));
-    let line = in_plane.or_else(|| meet_line(portals, &cone.origin)).or_else(|| {
-        let inside = cone.rays.iter().fold(zero(), |sum, ray| plus(&sum, ray));
-        let forward = |p: &&Portal3| Sign::of(&slope_of(&inside, p.normal())) == Sign::Positive;
-        if !portals.iter().all(forward) {
-            return None;
-        }
-        if !cone.lineality.is_empty() {
-            return along_lineality(&inside, &cone);
-        }
-        let found = between_signs(&inside, &cone);
-        found.or_else(|| isolated_lines(&cone).into_iter().find(passes))
-    })?;
-    debug_assert!(passes(&line), "a touching line passes the direct check");
-    Some(line.points(portals, &cone.origin))
+    let found = between_signs(&inside, &cone);
+    found.or_else(|| isolated_lines(&cone).into_iter().find(passes))
 }
 
 /// A touching line through two vertices or trace ends in the portal's plane (step a).

@@ -111,7 +111,8 @@ impl ExactLine {
         self.is_finite() && portals.iter().all(|portal| self.meets(portal, origin))
     }
 
-    fn meets(&self, portal: &Portal3, origin: &[Int; 3]) -> bool {
+    /// The same for one portal, of a line that is finite.
+    pub(super) fn meets(&self, portal: &Portal3, origin: &[Int; 3]) -> bool {
         let mut sides =
             (0..portal.vertices().len()).map(|edge| self.sign(&portal.edge_row(edge, origin)));
         match self.slope(portal.normal()) {

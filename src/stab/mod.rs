@@ -25,6 +25,7 @@ mod witness;
 
 pub use certificate::{Certificate, Condition, ConeSigns, Term};
 pub use extremal::{EdgeName, ExtremalLine};
+pub use grazing::TouchingLine;
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
 pub use stabber::{ConeShape, Stabber, Verdict, decide_open, edges_exclude_lines};
