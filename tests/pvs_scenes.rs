@@ -89,7 +89,7 @@ fn scenes_match_their_snapshots_and_the_engine_agrees() {
     settings.set_snapshot_path(root().join("snapshots/pvs"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes("pvs") {
+    for path in scenes("scenes/pvs") {
         let graph = graph(&path);
         let rows = compute(&graph, &Options::default(), Vec::new(), &|_| {}, &Silent).rows;
         let matrix = assemble(&graph, &rows);

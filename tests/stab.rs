@@ -21,7 +21,7 @@ fn scenes_match_their_snapshots() {
     settings.set_snapshot_path(root().join("snapshots/stab"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes("stab") {
+    for path in scenes("scenes/stab") {
         let file = SequenceFile::read(&std::fs::read(&path).unwrap()).unwrap();
         settings.set_description(file.about.clone().unwrap());
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
@@ -32,7 +32,7 @@ fn scenes_match_their_snapshots() {
 
 #[test]
 fn the_json_says_what_the_text_says() {
-    for path in scenes("stab") {
+    for path in scenes("scenes/stab") {
         let path = path.to_str().unwrap();
         let json: serde_json::Value =
             serde_json::from_str(&stdout(&stabline(root(), &["stab", path, "--json"]))).unwrap();

@@ -13,7 +13,7 @@ fn scenes_match_their_snapshots() {
     settings.set_snapshot_path(root().join("snapshots/transversals"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes("transversals") {
+    for path in scenes("scenes/transversals") {
         let file = LinesFile::read(&std::fs::read(&path).unwrap()).unwrap();
         settings.set_description(file.about.clone().unwrap());
         let text = transversals_text(&transversals(&file.lines().unwrap()));
@@ -24,7 +24,7 @@ fn scenes_match_their_snapshots() {
 
 #[test]
 fn the_json_says_what_the_text_says() {
-    for path in scenes("transversals") {
+    for path in scenes("scenes/transversals") {
         let file = LinesFile::read(&std::fs::read(&path).unwrap()).unwrap();
         let result = transversals(&file.lines().unwrap());
         let json: serde_json::Value =

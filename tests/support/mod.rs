@@ -73,9 +73,9 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The scenes in a folder of `scenes/`, in the order of their names.
+/// The scenes in a folder of the project, in the order of their names.
 pub fn scenes(folder: &str) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(root().join("scenes").join(folder)).unwrap();
+    let entries = std::fs::read_dir(root().join(folder)).unwrap();
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     paths
