@@ -28,7 +28,7 @@ use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::PortalGraph;
-use crate::stab::{Portal3, TouchingLine};
+use crate::stab::{ClosedPortal, TouchingLine};
 use rayon::prelude::*;
 
 /// Splits the pairs that are not open into grazing and blocked.
@@ -46,6 +46,7 @@ pub fn classify_grazing(
     let Some(bounds) = ClosedBounds::new(&arena, progress) else { return false };
     let all: Vec<Directed> = (0..arena.directed()).collect();
     let (portals, _) = arena.exact_portals(&all);
+    let portals: Vec<ClosedPortal> = portals.into_iter().map(ClosedPortal::new).collect();
     let sources = plan(&arena, &bounds, matrix);
     progress.begin("grazing pairs", sources.iter().map(Source::work).sum());
     let rows: Option<Vec<Touched>> = sources
@@ -119,7 +120,7 @@ struct Level {
 struct Walk<'a> {
     arena: &'a Arena,
     bounds: &'a ClosedBounds,
-    portals: &'a [&'a Portal3],
+    portals: &'a [ClosedPortal],
     budget: Option<u64>,
     progress: &'a dyn Progress,
     path: Vec<Directed>,
@@ -142,7 +143,7 @@ impl<'a> Walk<'a> {
     fn new(
         arena: &'a Arena,
         bounds: &'a ClosedBounds,
-        portals: &'a [&'a Portal3],
+        portals: &'a [ClosedPortal],
         budget: Option<u64>,
         progress: &'a dyn Progress,
     ) -> Walk<'a> {
@@ -281,12 +282,12 @@ impl<'a> Walk<'a> {
     fn touching_line(&self, next: Directed) -> Option<TouchingLine> {
         let before = self.levels.last().map(|level| &level.line);
         if let Some(line) = before
-            && line.touches(self.portals[next as usize])
+            && line.touches(&self.portals[next as usize])
         {
             return Some(line.clone());
         }
-        let portals: Vec<&Portal3> =
-            self.path.iter().map(|&portal| self.portals[portal as usize]).collect();
+        let portals: Vec<&ClosedPortal> =
+            self.path.iter().map(|&portal| &self.portals[portal as usize]).collect();
         TouchingLine::of(&portals)
     }
 }

@@ -6,6 +6,7 @@
 //! answers four given lines.
 
 mod certificate;
+mod closed;
 mod cone;
 mod engine;
 mod extremal;
@@ -24,6 +25,7 @@ mod wedge;
 mod witness;
 
 pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use closed::ClosedPortal;
 pub use extremal::{EdgeName, ExtremalLine};
 pub use grazing::TouchingLine;
 pub use line::StabLine;
