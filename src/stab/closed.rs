@@ -21,8 +21,8 @@ pub(super) struct Row {
 impl Row {
     pub(super) fn new(vector: Vector) -> Row {
         let bits = vector.iter().map(Int::bits).max().unwrap_or(0);
-        let small =
-            (bits < 124).then(|| (vector.each_ref().map(|c| c.to_i128().expect("below 2^124")), bits));
+        let small = (bits < 124)
+            .then(|| (vector.each_ref().map(|c| c.to_i128().expect("below 2^124")), bits));
         Row { vector, small }
     }
 
