@@ -40,6 +40,10 @@ fn parse(bytes: &[u8]) {
     let _ = NpyMatrix::read(bytes);
     if let Ok(read) = Visibility::read(bytes) {
         assert!(read.rows_missing <= read.matrix.size());
+        // What can be read can be replaced, or is refused; it is never another matrix.
+        if let Ok(written) = write_visibility(bytes, &read.matrix) {
+            assert_eq!(Visibility::read(&written).unwrap().matrix, read.matrix);
+        }
     }
     let _ = write_visibility(bytes, &BitMatrix::new(4));
     if let Ok(graph) = read_graph("x", bytes) {
@@ -69,6 +73,58 @@ fn files() -> Vec<Vec<u8>> {
     let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
     files.extend([npy, level([1, 3, 7, 15]), quake2, quake3]);
     files
+}
+
+/// A level of each format, of 20 leafs or clusters, with a lump behind the visibility.
+fn levels() -> Vec<Vec<u8>> {
+    let leafs = 20usize;
+    let rows = [255, 255, 15].repeat(leafs);
+    let word = |value: usize| (value as u32).to_le_bytes();
+    let level = |start: &[u8], lumps: usize, content: &[(usize, &[u8])]| {
+        let directory = start.len();
+        let mut bytes = [start, &vec![0; 8 * lumps]].concat();
+        for (lump, data) in content {
+            let entry = directory + 8 * lump;
+            let place = bytes.len();
+            bytes[entry..entry + 4].copy_from_slice(&word(place));
+            bytes[entry + 4..entry + 8].copy_from_slice(&word(data.len()));
+            bytes.extend_from_slice(data);
+        }
+        bytes
+    };
+    let quake = |magic: &[u8], record: usize| {
+        let mut records = vec![0; record * (leafs + 1)];
+        for leaf in 0..leafs {
+            records[record * (leaf + 1) + 4..][..4].copy_from_slice(&word(3 * leaf));
+        }
+        let mut model = [0; 64];
+        model[52] = leafs as u8;
+        level(magic, 15, &[(10, &records), (4, &rows), (14, &model)])
+    };
+    let mut quake2 = word(leafs).to_vec();
+    for cluster in 0..2 * leafs {
+        quake2.extend_from_slice(&word(4 + 8 * leafs + 3 * (cluster / 2)));
+    }
+    quake2.extend_from_slice(&rows);
+    let quake3 = [&word(leafs)[..], &word(3), &rows].concat();
+    vec![
+        quake(b"\x1d\0\0\0", 28),
+        quake(b"\x1e\0\0\0", 28),
+        quake(b"BSP2", 44),
+        quake(b"2PSB", 32),
+        level(b"IBSP\x26\0\0\0", 19, &[(3, &quake2), (11, b"tail")]),
+        level(b"IBSP\x2e\0\0\0", 17, &[(16, &quake3), (2, b"tail")]),
+    ]
+}
+
+#[test]
+fn the_undamaged_levels_are_read_and_rewritten() {
+    for level in levels() {
+        let matrix = Visibility::read(&level).unwrap().matrix;
+        assert_eq!(matrix.size(), 20);
+        assert!((0..20).all(|row| (0..20).all(|column| matrix.get(row, column))));
+        assert!(write_visibility(&level, &matrix).is_ok());
+    }
 }
 
 #[test]
@@ -168,6 +224,28 @@ proptest! {
     fn arbitrary_words_do_not_panic(words in prop::collection::vec(word(), 0..60)) {
         parse(words.concat().as_bytes());
         parse(words.join(" ").as_bytes());
+    }
+
+    /// Numbers of a level replaced by others that are almost right, or far out.
+    #[test]
+    fn damaged_levels_do_not_panic(
+        level in prop::sample::select(levels()),
+        damage in prop::collection::vec(
+            (any::<prop::sample::Index>(), 0usize..8, -5i32..6, any::<bool>()), 1..5),
+        end in any::<prop::sample::Index>(),
+    ) {
+        let mut damaged = level.clone();
+        for (at, base, offset, in_header) in damage {
+            let words = if in_header { 40 } else { level.len() / 4 };
+            let at = 4 * at.index(words);
+            let old = i32::from_le_bytes(damaged[at..at + 4].try_into().unwrap());
+            let end = level.len() as i32;
+            let bases = [0, old, end, i32::MAX - 5, i32::MIN + 5, 1 << 16, 20, 1 << 29];
+            let number = bases[base].wrapping_add(offset);
+            damaged[at..at + 4].copy_from_slice(&number.to_le_bytes());
+        }
+        parse(&damaged);
+        parse(&damaged[..end.index(damaged.len())]);
     }
 
     #[test]

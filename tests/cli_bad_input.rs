@@ -119,6 +119,58 @@ fn a_failed_export_leaves_nothing_and_overwrites_nothing() {
     assert_eq!(names(at), before);
 }
 
+#[test]
+fn a_folder_that_is_a_file_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("rooms.prt"), THREE_ROOMS).unwrap();
+    fs::write(at.join("file"), "precious").unwrap();
+    for option in ["-o", "--npy", "--stab-tree", "--resume"] {
+        let run = stabline(at, &["pvs", "rooms.prt", option, "file/out"]);
+        assert_fails(&run, 3, "Not a directory");
+    }
+    assert_eq!(fs::read(at.join("file")).unwrap(), b"precious");
+    assert_eq!(names(at), ["file", "rooms.prt"]);
+}
+
+/// In a namespace of its own, where that is allowed, the folder is mounted read-only: permission
+/// bits alone would not stop a privileged user.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_read_only_disk_is_an_error() {
+    use std::process::Command;
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("rooms.prt"), THREE_ROOMS).unwrap();
+    fs::write(at.join("kept.json"), "precious").unwrap();
+    let before = names(at);
+    let read_only = |command: &[&str]| {
+        let script = "mount --bind . . && mount -o remount,ro,bind . && cd \"$PWD\" && exec \"$@\"";
+        let namespace = ["--user", "--map-root-user", "--mount", "sh", "-c", script, "sh"];
+        Command::new("unshare").args(namespace).args(command).current_dir(at).output()
+    };
+    match read_only(&["true"]) {
+        Ok(output) if output.status.success() => {}
+        _ => {
+            eprintln!("skipped: no namespace in which to mount a folder read-only");
+            return;
+        }
+    }
+    for (option, output) in [
+        ("-o", "kept.json"),
+        ("-o", "new.json"),
+        ("--npy", "new.npy"),
+        ("--stab-tree", "new.json"),
+        ("--resume", "new"),
+    ] {
+        let program = env!("CARGO_BIN_EXE_stabline");
+        let run = read_only(&[program, "pvs", "rooms.prt", option, output]).unwrap();
+        assert_fails(&run, 3, &format!("{output}: cannot write: Read-only file system"));
+    }
+    assert_eq!(fs::read(at.join("kept.json")).unwrap(), b"precious");
+    assert_eq!(names(at), before);
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_an_error_and_a_closed_pipe_is_none() {

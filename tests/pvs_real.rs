@@ -8,20 +8,7 @@ mod support;
 use stabline::pvs::{self, OpenPair, Options, Row, Shard};
 use stabline::report::{Silent, Verdict};
 use stabline::scene::{CellId, read_graph};
-use std::path::PathBuf;
-use support::witness;
-
-/// The folder of shared maps, where there is one.
-fn maps() -> Option<PathBuf> {
-    let shared = std::env::var_os("STABLINE_SHARED")
-        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared"), PathBuf::from);
-    let maps = shared.join("maps");
-    if maps.is_dir() {
-        return Some(maps);
-    }
-    eprintln!("skipped: no shared maps at {}", maps.display());
-    None
-}
+use support::{maps, witness};
 
 /// What of the rows goes into a result. (How the work went depends on the threads.)
 fn findings(rows: &[Row]) -> Vec<(CellId, &[OpenPair])> {

@@ -4,13 +4,16 @@
 //! The twin walks all sequences that enter no cell twice and judges each by the definition
 //! (`oracle::classify`), without filters, cones or bounds.
 
+mod support;
+
 use stabline::geom::BigPoint3;
 use stabline::oracle::{Truth, classify};
 use stabline::pvs::{Options, assemble, compute};
 use stabline::report::{Silent, Verdict};
 use stabline::scene::{CellId, PortalGraph, read_graph};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use support::{root, scenes};
 
 /// What the twin says of a pair, the better the greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,17 +74,6 @@ impl Twin<'_> {
     }
 }
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn scenes() -> Vec<PathBuf> {
-    let folder = std::fs::read_dir(root().join("scenes/pvs")).unwrap();
-    let mut paths: Vec<PathBuf> = folder.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    paths
-}
-
 fn graph(path: &Path) -> PortalGraph {
     read_graph(&path.to_string_lossy(), &std::fs::read(path).unwrap()).unwrap()
 }
@@ -97,7 +89,7 @@ fn scenes_match_their_snapshots_and_the_engine_agrees() {
     settings.set_snapshot_path(root().join("snapshots/pvs"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes() {
+    for path in scenes("scenes/pvs") {
         let graph = graph(&path);
         let rows = compute(&graph, &Options::default(), Vec::new(), &|_| {}, &Silent).rows;
         let matrix = assemble(&graph, &rows);

@@ -3,7 +3,7 @@
 mod support;
 
 use std::path::Path;
-use support::{level, stabline, three_rooms_result};
+use support::{level, root, stabline, three_rooms_result};
 
 /// The commands of the console blocks, with the output that follows each.
 fn examples(readme: &str) -> Vec<(Vec<&str>, String)> {
@@ -33,7 +33,7 @@ fn spoil(exact: &Path, spoiled: &Path) {
 
 #[test]
 fn every_example_prints_what_the_readme_shows() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();

@@ -1,21 +1,11 @@
 //! The public maps that are not part of the project: skipped, with a message, where absent.
 
+mod support;
+
 use stabline::audit::check::Presence;
 use stabline::formats::bsp::{Visibility, write_visibility};
 use stabline::scene::{CellOrder, read_graph};
-use std::path::PathBuf;
-
-/// The folder of shared maps, where there is one.
-fn maps() -> Option<PathBuf> {
-    let shared = std::env::var_os("STABLINE_SHARED")
-        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared"), PathBuf::from);
-    let maps = shared.join("maps");
-    if maps.is_dir() {
-        return Some(maps);
-    }
-    eprintln!("skipped: no shared maps at {}", maps.display());
-    None
-}
+use support::maps;
 
 #[test]
 fn every_portal_file_becomes_a_graph() {

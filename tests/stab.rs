@@ -1,31 +1,14 @@
 //! Every scene of a portal sequence against its snapshot, the laws of the verdict, and the command.
 
+mod support;
+
 use stabline::formats::sequence::{SequenceFile, SequencePoints};
 use stabline::geom::BigPoint3;
 use stabline::num::Int;
 use stabline::oracle::{Family, sequence};
 use stabline::stab::{Portal3, Stabber, Verdict, decide_open};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn scenes() -> Vec<PathBuf> {
-    let folder = std::fs::read_dir(root().join("scenes/stab")).unwrap();
-    let mut paths: Vec<PathBuf> = folder.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    paths
-}
-
-fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stabline"))
-        .args(arguments)
-        .current_dir(root())
-        .output()
-        .unwrap()
-}
+use std::process::Output;
+use support::{root, scenes, stabline};
 
 fn stdout(output: &Output) -> String {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
@@ -38,22 +21,22 @@ fn scenes_match_their_snapshots() {
     settings.set_snapshot_path(root().join("snapshots/stab"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes() {
+    for path in scenes("scenes/stab") {
         let file = SequenceFile::read(&std::fs::read(&path).unwrap()).unwrap();
         settings.set_description(file.about.clone().unwrap());
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
-        let text = stdout(&run(&["stab", path.to_str().unwrap()]));
+        let text = stdout(&stabline(root(), &["stab", path.to_str().unwrap()]));
         settings.bind(|| insta::assert_snapshot!(name, text));
     }
 }
 
 #[test]
 fn the_json_says_what_the_text_says() {
-    for path in scenes() {
+    for path in scenes("scenes/stab") {
         let path = path.to_str().unwrap();
         let json: serde_json::Value =
-            serde_json::from_str(&stdout(&run(&["stab", path, "--json"]))).unwrap();
-        let text = stdout(&run(&["stab", path]));
+            serde_json::from_str(&stdout(&stabline(root(), &["stab", path, "--json"]))).unwrap();
+        let text = stdout(&stabline(root(), &["stab", path]));
         let verdict = json["verdict"].as_str().unwrap();
         assert_eq!(text.lines().next().unwrap(), verdict);
         assert_eq!(json["witness"].is_array(), verdict == "open");
@@ -70,7 +53,7 @@ fn the_json_says_what_the_text_says() {
 #[test]
 fn lines_are_listed_with_the_edges_they_touch() {
     let scene = "scenes/stab/regulus_tight.json";
-    let json = stdout(&run(&["stab", scene, "--json", "--lines"]));
+    let json = stdout(&stabline(root(), &["stab", scene, "--json", "--lines"]));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let lines = json["lines"].as_array().unwrap();
     assert_eq!(lines.len() as u64, json["extremal_lines"].as_u64().unwrap());
@@ -81,8 +64,8 @@ fn lines_are_listed_with_the_edges_they_touch() {
 #[test]
 fn the_order_is_asked_for_by_an_option() {
     let scene = "scenes/stab/order_wrong.json";
-    assert!(stdout(&run(&["stab", scene])).starts_with("open\n"));
-    let ordered = stdout(&run(&["stab", scene, "--ordered"]));
+    assert!(stdout(&stabline(root(), &["stab", scene])).starts_with("open\n"));
+    let ordered = stdout(&stabline(root(), &["stab", scene, "--ordered"]));
     assert!(ordered.starts_with("grazing\n"), "{ordered}");
     assert!(ordered.contains("portal 1 after 0"), "{ordered}");
 }
@@ -119,16 +102,16 @@ fn bad_input_is_refused_by_name_and_place() {
         (portals(r#"[[[0,0,"nan"]]]"#), "coordinate `nan`"),
     ] {
         std::fs::write(&path, &content).unwrap();
-        let output = run(&["stab", path.to_str().unwrap()]);
+        let output = stabline(root(), &["stab", path.to_str().unwrap()]);
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(3), "{content}: {message}");
         assert!(message.contains(expected), "{content}: {message}");
         assert!(output.stdout.is_empty());
     }
-    assert_eq!(run(&["stab", "no/such/file"]).status.code(), Some(3));
-    assert_eq!(run(&["stab"]).status.code(), Some(2));
+    assert_eq!(stabline(root(), &["stab", "no/such/file"]).status.code(), Some(3));
+    assert_eq!(stabline(root(), &["stab"]).status.code(), Some(2));
     let plane = "scenes/stab/plane_gates_open.json";
-    assert_eq!(run(&["stab", plane, "--lines"]).status.code(), Some(2));
+    assert_eq!(stabline(root(), &["stab", plane, "--lines"]).status.code(), Some(2));
 }
 
 type Points = Vec<Vec<BigPoint3>>;

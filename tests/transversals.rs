@@ -1,21 +1,11 @@
 //! Every scene of four lines against its snapshot, and the command that answers them.
 
+mod support;
+
 use stabline::formats::lines::LinesFile;
 use stabline::report::{TransversalsReport, transversals_text};
 use stabline::stab::transversals::transversals;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn scenes() -> Vec<PathBuf> {
-    let folder = std::fs::read_dir(root().join("scenes/transversals")).unwrap();
-    let mut paths: Vec<PathBuf> = folder.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    paths
-}
+use support::{root, scenes, stabline};
 
 #[test]
 fn scenes_match_their_snapshots() {
@@ -23,7 +13,7 @@ fn scenes_match_their_snapshots() {
     settings.set_snapshot_path(root().join("snapshots/transversals"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in scenes() {
+    for path in scenes("scenes/transversals") {
         let file = LinesFile::read(&std::fs::read(&path).unwrap()).unwrap();
         settings.set_description(file.about.clone().unwrap());
         let text = transversals_text(&transversals(&file.lines().unwrap()));
@@ -34,7 +24,7 @@ fn scenes_match_their_snapshots() {
 
 #[test]
 fn the_json_says_what_the_text_says() {
-    for path in scenes() {
+    for path in scenes("scenes/transversals") {
         let file = LinesFile::read(&std::fs::read(&path).unwrap()).unwrap();
         let result = transversals(&file.lines().unwrap());
         let json: serde_json::Value =
@@ -55,25 +45,17 @@ fn the_json_says_what_the_text_says() {
     }
 }
 
-fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stabline"))
-        .args(arguments)
-        .current_dir(root())
-        .output()
-        .unwrap()
-}
-
 #[test]
 fn the_command_prints_text_or_json() {
     let scene = "scenes/transversals/lines_skew_two.json";
-    let text = run(&["transversals", scene]);
+    let text = stabline(root(), &["transversals", scene]);
     assert_eq!(text.status.code(), Some(0));
     assert!(text.stdout.starts_with(b"two lines meet all four\n"));
-    let json = run(&["transversals", scene, "--json"]);
+    let json = stabline(root(), &["transversals", scene, "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!(json["kind"], "two");
     assert_eq!(json["lines"][0]["points"][1][2]["d"], "2");
-    assert_eq!(run(&["transversals", scene]).stdout, text.stdout);
+    assert_eq!(stabline(root(), &["transversals", scene]).stdout, text.stdout);
 }
 
 #[test]
@@ -88,12 +70,12 @@ fn bad_input_is_refused_by_name_and_place() {
         (r#"{"format": "stabline-lines/2", "lines": []}"#, "expected `stabline-lines/1`"),
     ] {
         std::fs::write(&path, content).unwrap();
-        let output = run(&["transversals", path.to_str().unwrap()]);
+        let output = stabline(root(), &["transversals", path.to_str().unwrap()]);
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(3), "{message}");
         assert!(message.contains(expected), "{message}");
         assert!(output.stdout.is_empty());
     }
-    assert_eq!(run(&["transversals", "no/such/file"]).status.code(), Some(3));
-    assert_eq!(run(&["transversals"]).status.code(), Some(2));
+    assert_eq!(stabline(root(), &["transversals", "no/such/file"]).status.code(), Some(3));
+    assert_eq!(stabline(root(), &["transversals"]).status.code(), Some(2));
 }

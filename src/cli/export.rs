@@ -15,7 +15,7 @@ use std::path::PathBuf;
 pub(super) struct Args {
     /// The result (`stabline-pvs/1`)
     result: PathBuf,
-    /// The level to read: Quake 29, BSP2, 2PSB, GoldSrc 30 or Quake 3
+    /// The level to read: Quake 29, BSP2, 2PSB, GoldSrc 30, Quake 2 or Quake 3
     #[arg(long, value_name = "IN.bsp")]
     bsp: PathBuf,
     /// The level to write

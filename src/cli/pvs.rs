@@ -33,8 +33,8 @@ pub(super) struct Args {
     /// Only the stab trees of these cells, by number
     #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
     from: Vec<u32>,
-    /// Split the pairs that are not open into grazing and blocked (for small graphs, or with
-    /// --budget)
+    /// Split the pairs that are not open into grazing and blocked (for hundreds of cells; on
+    /// larger graphs with --budget, which leaves some undecided)
     #[arg(long)]
     grazing: bool,
     /// Leave the witnesses out of the result

@@ -4,7 +4,7 @@ use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::progress::{ProgressArgs, Watch};
 use crate::num::Number;
-use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, OpenPair};
+use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, Hindrance, Obstacle, OpenPair};
 use crate::scene::{self, CellId, PortalGraph};
 use std::path::PathBuf;
 
@@ -74,9 +74,15 @@ fn as_text(graph: &PortalGraph, from: CellId, to: CellId, explanation: &Explanat
                 point(&q)
             )
         }
-        Explanation::OutOfBound => format!(
+        Explanation::OutOfBound(Obstacle::NoWay) => {
+            format!("{a} does not see {b}: not open\nno portals lead from {a} to {b}\n")
+        }
+        Explanation::OutOfBound(Obstacle::Shortest { portals, between, hindrance }) => format!(
             "{a} does not see {b}: not open\nno way from {a} to {b} on which each portal reaches \
-             in front of those before it and the separating planes of neighbours\n"
+             in front of those before it and the separating planes of neighbours\n\
+             the shortest: portals {}: {}\n",
+            list(portals),
+            hindered(*between, *hindrance),
         ),
         Explanation::Refuted(ends) => format!(
             "{a} does not see {b}: not open\nevery portal sequence between them was refuted:\n\
@@ -99,6 +105,21 @@ fn longest(ends: &DeadEnds) -> String {
         DeadEnd::NotOpen => "no line passes all of its portals",
     };
     format!("the longest: portals {}: {why}\n", list(portals))
+}
+
+fn hindered([earlier, later]: [u32; 2], hindrance: Hindrance) -> String {
+    match hindrance {
+        Hindrance::LaterBehind => {
+            format!("no part of portal {later} is in front of portal {earlier}")
+        }
+        Hindrance::EarlierInFront => {
+            format!("no part of portal {earlier} is behind portal {later}")
+        }
+        Hindrance::NothingBetween => format!(
+            "portal {later} cannot follow portal {earlier}: what is between them is behind the \
+             planes of portals or of pairs of portals on every way"
+        ),
+    }
 }
 
 fn list(portals: &[u32]) -> String {
@@ -129,9 +150,17 @@ fn as_json(
             value["portals"] = serde_json::json!(portals);
             value["line"] = serde_json::json!(line);
         }
-        Explanation::OutOfBound => {
+        Explanation::OutOfBound(obstacle) => {
             value["verdict"] = "not open".into();
-            value["refuted"] = serde_json::json!({"by": "bound"});
+            value["refuted"] = match obstacle {
+                Obstacle::NoWay => serde_json::json!({"by": "graph"}),
+                Obstacle::Shortest { portals, between, hindrance } => serde_json::json!({
+                    "by": "bound",
+                    "shortest": portals,
+                    "between": between,
+                    "why": hindered(*between, *hindrance),
+                }),
+            };
         }
         Explanation::Refuted(ends) => {
             value["verdict"] = "not open".into();

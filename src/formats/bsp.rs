@@ -167,9 +167,6 @@ pub enum BspErrorKind {
         /// The number of bytes due.
         expected: usize,
     },
-    /// Writing is not offered for the format.
-    #[error("writing visibility into {0} is not supported")]
-    ReadOnlyFormat(BspFormat),
     /// The matrix to be written belongs to another level.
     #[error("the level has {expected} leafs with visibility, the result has {got}")]
     OtherLevel {

@@ -54,6 +54,16 @@ impl Bits {
         }
     }
 
+    pub fn intersect(&mut self, other: &Bits) {
+        for (out, b) in self.words.iter_mut().zip(&other.words) {
+            *out &= b;
+        }
+    }
+
+    pub fn intersects(&self, other: &Bits) -> bool {
+        self.words.iter().zip(&other.words).any(|(a, b)| a & b != 0)
+    }
+
     pub fn subtract(&mut self, other: &Bits) {
         for (out, b) in self.words.iter_mut().zip(&other.words) {
             *out &= !b;

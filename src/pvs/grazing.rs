@@ -1,19 +1,34 @@
 //! Which pairs that are not open are grazing: joined by a sequence that a touching line meets.
 //!
 //! A touching line need not keep the order of the portals, and may run inside their planes
-//! (`docs/semantics.md`), so none of the search's prunings apply to it. What does hold: a line
-//! that touches a sequence touches every beginning of it. So the sequences from each cell are
-//! walked, none entering a cell twice, and one that is blocked is not extended.
+//! (`docs/semantics.md`), so the search's prunings do not apply as they are. What does hold:
 //!
-//! Complexity: an exact verdict a sequence, and touching lines run along every wall; the number of
-//! sequences grows exponentially with the number of coplanar portals. For small and middle-sized
-//! graphs, or with a budget.
+//! - a line that touches a sequence touches every two portals of it, and climbs over the planes
+//!   that separate those whose order is certain (`bounds`);
+//! - a line that touches a sequence touches every beginning of it.
+//!
+//! Pairs of cells that the first rule leaves no way between are blocked. For the others the
+//! sequences from the one of the two cells that has fewer left are walked depth first, none
+//! entering a cell twice. Each keeps its *might-set*: the portals that may follow by the first
+//! rule and lie, through cells not crossed yet, on a way to a cell not settled yet. A sequence is
+//! left when that is empty or no line touches it, and the walk ends when every cell is settled.
+//! The line that touches a sequence is kept for as long as it touches what follows; where it does
+//! not, `stab` decides exactly.
+//!
+//! **Determinism.** A source's walk depends on nothing that other threads do, so a budget of
+//! sequences gives the same verdicts on any number of threads.
+//!
+//! Complexity: per sequence one exact decision at most, in milliseconds; touching lines run along
+//! every wall, so the number of sequences can be exponential in the number of coplanar portals.
 
-use super::arena::{Arena, Directed};
+mod bounds;
+
+use self::bounds::{ClosedBounds, Flood};
+use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::PortalGraph;
-use crate::stab::{self, Portal3, Stabber};
+use crate::stab::{ClosedPortal, TouchingLine};
 use rayon::prelude::*;
 
 /// Splits the pairs that are not open into grazing and blocked.
@@ -27,35 +42,67 @@ pub fn classify_grazing(
     progress: &dyn Progress,
 ) -> bool {
     let arena = Arena::new(graph);
+    progress.begin("grazing bound", bounds::STAGES);
+    let Some(bounds) = ClosedBounds::new(&arena, progress) else { return false };
     let all: Vec<Directed> = (0..arena.directed()).collect();
     let (portals, _) = arena.exact_portals(&all);
-    progress.begin("grazing pairs", u64::from(arena.cells()));
-    let known = &*matrix;
-    let rows: Option<Vec<Touched>> = (0..arena.cells())
-        .into_par_iter()
+    let portals: Vec<ClosedPortal> = portals.into_iter().map(ClosedPortal::new).collect();
+    let sources = plan(&arena, &bounds, matrix);
+    progress.begin("grazing pairs", sources.iter().map(Source::work).sum());
+    let rows: Option<Vec<Touched>> = sources
+        .par_iter()
         .with_max_len(1)
         .map(|source| {
-            let mut wanted = arena.no_cells();
-            for target in source + 1..arena.cells() {
-                if known.get(source as usize, target as usize) == Verdict::NotOpen {
-                    wanted.insert(target);
-                }
-            }
-            let row = Walk::new(&arena, &portals, budget, progress, wanted).from(source);
-            progress.advance(1);
+            let row = Walk::new(&arena, &bounds, &portals, budget, progress).from(source);
+            progress.advance(source.work());
             row
         })
         .collect();
     let Some(rows) = rows else { return false };
-    for (source, row) in rows.iter().enumerate() {
+    for (source, row) in sources.iter().zip(&rows) {
         let settled = row.touched.iter().map(|cell| (cell, Verdict::Grazing));
         let left = row.undecided.iter().map(|cell| (cell, Verdict::Undecided));
         for (target, verdict) in settled.chain(left) {
-            matrix.set(source, target as usize, verdict);
-            matrix.set(target as usize, source, verdict);
+            matrix.set(source.cell as usize, target as usize, verdict);
+            matrix.set(target as usize, source.cell as usize, verdict);
         }
     }
     true
+}
+
+/// A source cell and the cells that it has to settle.
+struct Source {
+    cell: u32,
+    wanted: Bits,
+}
+
+impl Source {
+    fn work(&self) -> u64 {
+        u64::from(self.wanted.count())
+    }
+}
+
+/// The pairs that are not open and not blocked by the bound, each with the cell that has fewer of
+/// them as its source.
+fn plan(arena: &Arena, bounds: &ClosedBounds, known: &Matrix) -> Vec<Source> {
+    let mut sources: Vec<Source> = (0..arena.cells())
+        .into_par_iter()
+        .map(|cell| {
+            let mut wanted = bounds.cells_from(arena, cell);
+            let row = known.row(cell as usize);
+            wanted.retain(|target| row[target as usize] == Verdict::NotOpen);
+            Source { cell, wanted }
+        })
+        .collect();
+    sources.sort_by_cached_key(|source| (source.wanted.count(), source.cell));
+    let mut earlier = arena.no_cells();
+    for source in &mut sources {
+        // The bound is symmetric, so a pair is wanted by both of its cells or by none.
+        source.wanted.subtract(&earlier);
+        earlier.insert(source.cell);
+    }
+    sources.retain(|source| !source.wanted.is_empty());
+    sources
 }
 
 /// What a source's walk found.
@@ -64,16 +111,26 @@ struct Touched {
     undecided: Bits,
 }
 
+/// What belongs to one portal of the current sequence.
+struct Level {
+    might: Bits,
+    line: TouchingLine,
+}
+
 struct Walk<'a> {
     arena: &'a Arena,
-    portals: &'a [&'a Portal3],
+    bounds: &'a ClosedBounds,
+    portals: &'a [ClosedPortal],
     budget: Option<u64>,
     progress: &'a dyn Progress,
-    stabber: Stabber,
+    path: Vec<Directed>,
+    levels: Vec<Level>,
     crossed: Bits,
     wanted: Bits,
     touched: Bits,
     visited: u64,
+    flood: Flood,
+    planes: Vec<Plane>,
 }
 
 /// Why a walk ended early.
@@ -85,29 +142,34 @@ enum Ended {
 impl<'a> Walk<'a> {
     fn new(
         arena: &'a Arena,
-        portals: &'a [&'a Portal3],
+        bounds: &'a ClosedBounds,
+        portals: &'a [ClosedPortal],
         budget: Option<u64>,
         progress: &'a dyn Progress,
-        wanted: Bits,
     ) -> Walk<'a> {
         Walk {
             arena,
+            bounds,
             portals,
             budget,
             progress,
-            stabber: Stabber::new(),
+            path: Vec::new(),
+            levels: Vec::new(),
             crossed: arena.no_cells(),
-            wanted,
+            wanted: arena.no_cells(),
             touched: arena.no_cells(),
             visited: 0,
+            flood: Flood::new(arena),
+            planes: Vec::new(),
         }
     }
 
     /// `None` if interrupted.
-    fn from(mut self, source: u32) -> Option<Touched> {
-        self.crossed.insert(source);
+    fn from(mut self, source: &Source) -> Option<Touched> {
+        self.wanted = source.wanted.clone();
+        self.crossed.insert(source.cell);
         let mut ended = Ok(());
-        for &first in self.arena.leaving(source) {
+        for &first in self.arena.leaving(source.cell) {
             ended = ended.and_then(|()| self.visit(first));
         }
         let undecided = match ended {
@@ -119,9 +181,7 @@ impl<'a> Walk<'a> {
     }
 
     fn visit(&mut self, next: Directed) -> Result<(), Ended> {
-        let arena = self.arena;
-        let cell = arena.to(next);
-        if self.wanted.is_empty() || self.crossed.has(cell) {
+        if self.wanted.is_empty() {
             return Ok(());
         }
         if self.progress.is_interrupted() {
@@ -131,23 +191,103 @@ impl<'a> Walk<'a> {
             return Err(Ended::Budget);
         }
         self.visited += 1;
-        self.stabber.push(self.portals[next as usize], false);
+        let cell = self.arena.to(next);
+        self.path.push(next);
         self.crossed.insert(cell);
-        let touches = match self.stabber.verdict() {
-            stab::Verdict::Open { .. } | stab::Verdict::Grazing { .. } => true,
-            stab::Verdict::Blocked { .. } => false,
-        };
-        if touches {
-            if self.wanted.has(cell) {
+        let might = self.might_set(next);
+        let is_wanted = self.wanted.has(cell);
+        if (is_wanted || !might.is_empty())
+            && let Some(line) = self.touching_line(next)
+        {
+            if is_wanted {
                 self.wanted.remove(cell);
                 self.touched.insert(cell);
             }
-            for &child in arena.leaving(cell) {
+            self.levels.push(Level { might, line });
+            let ended = self.visit_children(cell);
+            self.levels.pop();
+            ended?;
+        }
+        self.crossed.remove(cell);
+        self.path.pop();
+        Ok(())
+    }
+
+    fn visit_children(&mut self, cell: u32) -> Result<(), Ended> {
+        let arena = self.arena;
+        for &child in arena.leaving(cell) {
+            if self.levels.last().is_some_and(|level| level.might.has(child)) {
                 self.visit(child)?;
             }
         }
-        self.crossed.remove(cell);
-        self.stabber.pop();
         Ok(())
+    }
+
+    /// The portals that might follow the sequence, which now ends with `next`, on a way to a
+    /// wanted cell.
+    fn might_set(&mut self, next: Directed) -> Bits {
+        let (arena, bounds) = (self.arena, self.bounds);
+        let mut might = bounds.after(next).clone();
+        if let Some(before) = self.levels.last() {
+            might.intersect(&before.might);
+        }
+        self.planes.clear();
+        for &before in &self.path[..self.path.len() - 1] {
+            bounds.separators(arena, before, next, &mut self.planes);
+        }
+        let planes = &self.planes;
+        self.flood.run(arena, next, &might, &self.crossed, |portal| {
+            bounds.is_behind(arena, planes, next, portal)
+        });
+        self.aim(might)
+    }
+
+    /// Of the portals that the flood reached, those from which a wanted cell can be reached, and
+    /// that can be touched together with a portal into one; in the place of `might`.
+    fn aim(&mut self, mut might: Bits) -> Bits {
+        let (arena, bounds) = (self.arena, self.bounds);
+        might.clear();
+        let mut goals = arena.no_portals();
+        for portal in self.flood.reached.iter() {
+            if self.wanted.has(arena.to(portal)) {
+                goals.insert(portal);
+            }
+        }
+        self.flood
+            .reached
+            .retain(|portal| goals.has(portal) || bounds.after(portal).intersects(&goals));
+        let mut entered = arena.no_cells();
+        let mut stack: Vec<u32> = Vec::new();
+        for goal in goals.iter() {
+            if entered.insert(arena.to(goal)) {
+                stack.push(arena.to(goal));
+            }
+        }
+        while let Some(cell) = stack.pop() {
+            for &leaving in arena.leaving(cell) {
+                let entering = reverse(leaving);
+                if self.flood.reached.has(entering)
+                    && might.insert(entering)
+                    && entered.insert(arena.from(entering))
+                {
+                    stack.push(arena.from(entering));
+                }
+            }
+        }
+        might
+    }
+
+    /// A line that touches the sequence, which now ends with `next`: the one of the sequence
+    /// before, if it does.
+    fn touching_line(&self, next: Directed) -> Option<TouchingLine> {
+        let before = self.levels.last().map(|level| &level.line);
+        if let Some(line) = before
+            && line.touches(&self.portals[next as usize])
+        {
+            return Some(line.clone());
+        }
+        let portals: Vec<&ClosedPortal> =
+            self.path.iter().map(|&portal| &self.portals[portal as usize]).collect();
+        TouchingLine::of(&portals)
     }
 }

@@ -22,6 +22,7 @@ mod bounds;
 mod decide;
 mod grazing;
 mod grid;
+mod obstacle;
 mod part;
 mod propose;
 mod run;
@@ -31,6 +32,7 @@ mod sightline;
 mod tree;
 
 pub use grazing::classify_grazing;
+pub use obstacle::{Hindrance, Obstacle};
 pub use part::{Part, PartError, PartHeader};
 pub use run::{Explanation, Finished, Options, Shard, compute, explain};
 pub use search::{DeadEnd, DeadEnds};

@@ -121,37 +121,104 @@ impl Row {
         Ok(serde_json::to_string(&line)? + "\n")
     }
 
-    fn from_line(text: &str, graph: &PortalGraph) -> Result<Row, String> {
+    fn from_line(text: &str, ways: &Ways) -> Result<Row, String> {
         let line: RowLine = serde_json::from_str(text).map_err(|e| e.to_string())?;
-        let cell = |index: u32| {
-            let exists = (index as usize) < graph.cells.len();
-            exists.then_some(CellId(index)).ok_or_else(|| {
-                format!("cell {index}, expected one of the {} cells", graph.cells.len())
-            })
-        };
-        let open = line.open.into_iter().map(|pair| {
-            let mut points = pair.line.map(|point| point.map(|text| Number::parse(&text)));
-            let number = |parsed: &mut Result<Number, _>| match parsed {
-                Ok(number) => Ok(number.to_rational()),
-                Err(error) => Err(format!("a coordinate is {error}")),
-            };
-            let [[px, py, pz], [qx, qy, qz]] = &mut points;
-            let line =
-                [[number(px)?, number(py)?, number(pz)?], [number(qx)?, number(qy)?, number(qz)?]];
-            let line = Sightline::Rational(Box::new(line));
-            Ok(OpenPair { target: cell(pair.target)?, portals: pair.portals, line })
-        });
-        Ok(Row {
-            source: cell(line.source)?,
+        let source = ways.cell(line.source)?;
+        let open = line.open.into_iter().map(|pair| pair.checked(source, ways));
+        let row = Row {
+            source,
             open: open.collect::<Result<_, String>>()?,
-            undecided: line.undecided.into_iter().map(cell).collect::<Result<_, String>>()?,
+            undecided: line
+                .undecided
+                .into_iter()
+                .map(|cell| ways.cell(cell))
+                .collect::<Result<_, String>>()?,
             tally: Tally::default(),
-        })
+        };
+        let open: Vec<CellId> = row.open.iter().map(|pair| pair.target).collect();
+        for (cells, what) in [(&open, "open"), (&row.undecided, "undecided")] {
+            if let Some(pair) = cells.windows(2).find(|pair| pair[0] >= pair[1]) {
+                let (before, after) = (pair[0].0, pair[1].0);
+                return Err(format!(
+                    "{what}: cell {after} after cell {before}, expected ascending cells"
+                ));
+            }
+        }
+        match row.undecided.iter().find(|cell| **cell == source || open.contains(cell)) {
+            Some(cell) => Err(format!("undecided: cell {}, whose verdict is known", cell.0)),
+            None => Ok(row),
+        }
+    }
+}
+
+impl OpenLine {
+    /// The pair, if its portals lead from `source` to its target and its line is one.
+    fn checked(self, source: CellId, ways: &Ways) -> Result<OpenPair, String> {
+        let target = ways.cell(self.target)?;
+        let mut cell = source;
+        for &portal in &self.portals {
+            cell = ways.across(portal, cell)?;
+        }
+        if self.portals.is_empty() || cell != target {
+            return Err(format!(
+                "the portals to cell {} lead to cell {}, or nowhere",
+                target.0, cell.0
+            ));
+        }
+        let [p, q] = self.line.map(|point| point.map(|text| Number::parse(&text)));
+        let number = |parsed: Result<Number, _>| match parsed {
+            Ok(number) => Ok(number.to_rational()),
+            Err(error) => Err(format!("a coordinate is {error}")),
+        };
+        let [[px, py, pz], [qx, qy, qz]] = [p, q];
+        let [p, q] =
+            [[number(px)?, number(py)?, number(pz)?], [number(qx)?, number(qy)?, number(qz)?]];
+        if p == q {
+            return Err(format!("the line to cell {} has two equal points", target.0));
+        }
+        let line = Sightline::Rational(Box::new([p, q]));
+        Ok(OpenPair { target, portals: self.portals, line })
+    }
+}
+
+/// The cells of a graph, and the two that each portal of its input joins.
+struct Ways {
+    cells: u32,
+    joined: Vec<Option<[CellId; 2]>>,
+}
+
+impl Ways {
+    fn new(graph: &PortalGraph) -> Ways {
+        let numbers = graph.portals.iter().map(|portal| portal.source as usize + 1).max();
+        let mut joined = vec![None; numbers.unwrap_or(0)];
+        for portal in &graph.portals {
+            joined[portal.source as usize] = Some([portal.from, portal.to]);
+        }
+        Ways { cells: graph.cells.len() as u32, joined }
+    }
+
+    fn cell(&self, index: u32) -> Result<CellId, String> {
+        let expected = || format!("cell {index}, expected one of the {} cells", self.cells);
+        (index < self.cells).then_some(CellId(index)).ok_or_else(expected)
+    }
+
+    /// The cell on the other side of `portal` from `cell`.
+    fn across(&self, portal: u32, cell: CellId) -> Result<CellId, String> {
+        match self.joined.get(portal as usize).copied().flatten() {
+            None => Err(format!("portal {portal}, expected one of the {}", self.joined.len())),
+            Some([from, to]) if cell == from => Ok(to),
+            Some([from, to]) if cell == to => Ok(from),
+            Some([from, to]) => Err(format!(
+                "portal {portal} is crossed from cell {}, but joins cells {} and {}",
+                cell.0, from.0, to.0
+            )),
+        }
     }
 }
 
 impl Part {
-    /// Reads a part of the rows of `graph`.
+    /// Reads a part of the rows of `graph`. Cells and portals are checked to exist and to join;
+    /// whether a line stabs its portals is for a checker of witnesses to say.
     ///
     /// # Errors
     /// [`PartError`] names the line and what is wrong with it. A last line that is cut short is no
@@ -161,8 +228,9 @@ impl Part {
         let mut lines = text.split_inclusive('\n').filter(|line| line.ends_with('\n'));
         let header = lines.next().ok_or_else(|| error(1, "no header".to_owned()))?;
         let header = PartHeader::from_line(header).map_err(|what| error(1, what))?;
+        let ways = Ways::new(graph);
         let rows = lines.enumerate().map(|(index, line)| {
-            Row::from_line(line, graph).map_err(|what| error(index + 2, what))
+            Row::from_line(line, &ways).map_err(|what| error(index + 2, what))
         });
         Ok(Part { header, rows: rows.collect::<Result<_, _>>()? })
     }

@@ -3,6 +3,7 @@
 use super::arena::Arena;
 use super::bits::Bits;
 use super::bounds::{self, Bounds, SharedBounds};
+use super::obstacle::{self, Obstacle};
 use super::search::{DeadEnds, Limits, Search};
 use super::{OpenPair, Row, Tally};
 use crate::report::Progress;
@@ -48,7 +49,7 @@ pub enum Explanation {
     /// A sightline, from the first cell to the second.
     Open(OpenPair),
     /// The bound has no way from the one cell to the other.
-    OutOfBound,
+    OutOfBound(Obstacle),
     /// Every sequence that the bound left was refuted.
     Refuted(DeadEnds),
 }
@@ -77,7 +78,9 @@ pub fn explain(
         let has = |a: CellId, b: CellId| source.cell == a.0 && source.wanted.has(b.0);
         has(from, to) || has(to, from)
     });
-    let Some(source) = source else { return Some(Explanation::OutOfBound) };
+    let Some(source) = source else {
+        return Some(Explanation::OutOfBound(obstacle::find(&arena, &bounds, from.0, to.0)));
+    };
     let is_forward = source.cell == from.0;
     let shared = SharedBounds::new(bounds);
     let is_interrupted = || progress.is_interrupted();

@@ -71,9 +71,10 @@ pub enum SceneErrorKind {
     /// The polygon encloses no area.
     #[error("the polygon has zero area")]
     ZeroArea,
-    /// The polygon crosses itself, or is too far from convex to be a rounded convex one.
-    #[error("not convex, and no fan of triangles from one of its vertices tiles it")]
-    NotConvex,
+    /// The polygon is not convex, and its outline crosses or touches itself, as it looks along the
+    /// axis of its largest area.
+    #[error("not convex, and its outline crosses or touches itself, so that no triangles tile it")]
+    NotSimple,
     /// Coordinates with so many different denominators that no grid of a sane size holds them.
     #[error("the common denominator of all coordinates exceeds {limit} bits")]
     HugeGrid {

@@ -74,6 +74,8 @@ pub struct Repairs {
     /// Triangulated portals whose fan starts from a later vertex, the one from the first not
     /// being a tiling.
     pub moved_fans: u32,
+    /// Triangulated portals that no fan tiles, cut up by their ears instead.
+    pub clipped_portals: u32,
     /// Triangles of a fan with no area, dropped.
     pub vanished_triangles: u32,
 }

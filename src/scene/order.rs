@@ -5,6 +5,12 @@
 //! p on the inner side of q's plane or on it. In an exactly convex cell both hold for every pair;
 //! rounded files break it by a hair here and there (semantics, fact 4). Quadratic in the number
 //! of portals of a cell, summed over the cells.
+//!
+//! **Two portals that share both of their cells**, say A and B, as the triangles of one skew
+//! portal do, never follow each other in a sequence that counts: crossing p from A to B and then q
+//! can only lead back to A, where the sequence was before. Such a loop adds nothing: a line that
+//! crosses … o, p, q, r … in order crosses o before r, so it crosses … o, r … in order too. The
+//! searches therefore enter no cell twice, the pair is never asked for, and it counts as implied.
 
 use super::polygon::{cross, difference, dot};
 use super::{PortalGraph, PortalId};

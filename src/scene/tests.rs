@@ -66,6 +66,46 @@ fn a_dent_moves_the_fan_to_where_it_tiles() {
 }
 
 #[test]
+fn portals_that_share_both_cells_need_no_order_but_make_a_cell_not_convex() {
+    // A skew door: as seen from one side, each triangle reaches through the other's plane.
+    let graph = read("0 0 0, 0 4 0, 1 4 4, 0 0 4").unwrap();
+    assert_eq!((graph.portals.len(), graph.skew_portals), (2, 1));
+    let order = CellOrder::new(&graph);
+    assert_eq!((order.pairs(), order.nonconvex_cells), (&[][..], 1));
+    // Doors beyond it do need the order, in each of its cells.
+    let door =
+        |cells: &str, x: i32| format!("4 {cells} ({x} 0 0 ) ({x} 4 0 ) ({x} 4 4 ) ({x} 0 4 )\n");
+    let skew = "4 0 1 (0 0 0 ) (0 4 0 ) (5 4 4 ) (0 0 4 )\n";
+    let text = format!("PRT1\n3\n2\n{skew}{}", door("1 2", 4));
+    let graph = read_graph("x.prt", text.as_bytes()).unwrap();
+    let order = CellOrder::new(&graph);
+    assert!(order.is_implied(PortalId(0), PortalId(1)));
+    assert!(order.pairs().iter().all(|[_, far]| *far == PortalId(2)));
+    assert!(!order.pairs().is_empty());
+}
+
+#[test]
+fn a_zigzag_that_no_fan_tiles_is_cut_by_its_ears() {
+    // Two hairs of rounding dent each side: from no vertex are all the others seen.
+    let zigzag = "0 0 0, 1 0.000001 0, 2 0 0, 3 0.000001 0, 4 0 0, 3.999999 1 0, 4 2 0, \
+                  3.999999 3 0, 4 4 0, 3 3.999999 0, 2 4 0, 1 3.999999 0, 0 4 0, 0.000001 3 0, \
+                  0 2 0, 0.000001 1 0";
+    for (height, skew) in [("0", 0), ("0.000001", 1)] {
+        let graph = read(&zigzag.replace("4 4 0,", &format!("4 4 {height},"))).unwrap();
+        assert_eq!(graph.portals.len(), 14);
+        let used: std::collections::BTreeSet<u32> =
+            polygons(&graph).into_iter().flatten().collect();
+        assert_eq!(used.len(), 16);
+        let repairs =
+            Repairs { dented_portals: 1 - skew, clipped_portals: 1, ..Repairs::default() };
+        assert_eq!((graph.skew_portals, graph.repairs), (skew, repairs));
+    }
+    // A comb, whose teeth hide from one another.
+    let comb = "0 0 0, 9 0 0, 9 9 0, 7 1 0, 5 9 0, 4 1 0, 2 9 0, 1 1 0, 0 9 0";
+    assert_eq!(read(comb).unwrap().portals.len(), 7);
+}
+
+#[test]
 fn triangles_without_area_are_dropped_and_counted() {
     let graph = read("0 0 0, 2 0 0, 4 0 0, 4 4 1, 0 4 0").unwrap();
     assert_eq!(polygons(&graph), [[0, 2, 3], [0, 3, 4]]);
@@ -92,6 +132,10 @@ fn degenerate_polygons_are_refused() {
         ("0 0 0, 3 3 0, 3 0 0, 0 2 0", "not convex"),
         // A pentagram turns left throughout, but twice around.
         ("0 10 0, -6 -8 0, 9 3 0, -9 3 0, 6 -8 0", "not convex"),
+        // An outline that touches itself in a corner, in an edge, and folded back on itself.
+        ("0 0 0, 4 0 0, 2 2 0, 4 4 0, 0 4 0, 2 2 0", "touches itself"),
+        ("0 0 0, 4 0 0, 4 4 0, 2 0 0, 0 4 0", "touches itself"),
+        ("0 0 0, 6 0 0, 6 4 0, 6 -2 0, 7 6 0, 0 6 0", "touches itself"),
     ];
     for (vertices, expected) in cases {
         let error = read(vertices).unwrap_err().to_string();

@@ -11,6 +11,7 @@
 //! The touched edges of a line are all whose supporting lines it meets. No line is listed twice:
 //! the interiors of the cone's edges do not meet each other or the rays.
 
+use super::closed::ClosedPortal;
 use super::grazing::ClosedCone;
 use super::line::{ExactLine, StabLine};
 use super::quadric::{Vector, quadric, side};
@@ -46,20 +47,20 @@ pub(super) fn lines(portals: &[&Portal3]) -> Vec<ExtremalLine> {
         [line] => cone.rays.iter().filter_map(|ray| linear(ray, line)).collect(),
         _ => Vec::new(),
     };
-    let origin = &cone.origin;
+    let closed: Vec<ClosedPortal> =
+        portals.iter().map(|portal| ClosedPortal::new(portal)).collect();
+    let closed: Vec<&ClosedPortal> = closed.iter().collect();
     let names = |(portal, p): (usize, &&Portal3)| {
         (0..p.vertices().len()).map(move |edge| EdgeName { portal, edge })
     };
     let mut found: Vec<ExtremalLine> = candidates
         .into_iter()
-        .filter(|line| line.meets_all(portals, origin))
+        .map(|line| line.moved(&cone.origin))
+        .filter(|line| line.touches_all(&closed))
         .map(|line| ExtremalLine {
-            line: line.points(portals, origin),
+            line: line.points(&closed),
             edges: (portals.iter().enumerate().flat_map(names))
-                .filter(|name| {
-                    let row = portals[name.portal].edge_row(name.edge, origin);
-                    line.sign(&row) == Sign::Zero
-                })
+                .filter(|name| line.sign(&closed[name.portal].edges[name.edge]) == Sign::Zero)
                 .collect(),
         })
         .collect();

@@ -173,8 +173,8 @@ mod tests {
     #[test]
     fn six_edges_exclude_only_what_their_cone_excludes() {
         let mut random = Random::new(6);
+        let mut excluded = 0;
         for reach in [2i64, 3, 1 << 8, 1 << 20, 1 << 40] {
-            let mut excluded = 0;
             for _ in 0..10 {
                 let portals = [(); 6].map(|()| triangle(&mut random, reach));
                 let reversed = portals.each_ref().map(Portal3::reversed);
@@ -194,7 +194,7 @@ mod tests {
                     }
                 }
             }
-            assert!(excluded > 3, "{excluded} cases within {reach} say little");
         }
+        assert!(excluded > 40, "{excluded} cases say little");
     }
 }

@@ -14,12 +14,16 @@
 //!   reached where it takes both signs; else only at isotropic rays and double roots on edges (step
 //!   d).
 //!
+//! A search that walks many sequences ([`TouchingLine`]) first tries the lines through two vertices
+//! and keeps the line found for as long as it touches what is pushed.
+//!
 //! Proofs: `docs/formats/stab.md`. For n edges and m portals, step a costs O(m n² · n).
 
+use super::closed::ClosedPortal;
 use super::engine::{Engine, Range};
 use super::line::{ExactLine, StabLine, meet_of_planes, slope_of};
 use super::quadric::{Vector, extremum_of_sign, quadric, side};
-use super::sequence::{Portal3, cross, sub};
+use super::sequence::{Portal3, cross, dot3};
 use super::stabber::{decide_open, rows_of};
 use super::witness::{plus, zero};
 use crate::num::{Int, Sign, Surd};
@@ -61,30 +65,76 @@ pub(super) fn touching_line(portals: &[&Portal3], orders: &[bool]) -> Option<Sta
         let surds = |point: [crate::num::Rational; 3]| point.map(Surd::from);
         return Some(StabLine { points: witness.points.map(surds) });
     }
-    let cone = ClosedCone::new(portals);
-    let passes = |line: &ExactLine| line.meets_all(portals, &cone.origin);
-    let in_plane = portals.iter().find_map(|plane| line_in_plane(plane, portals, &cone.origin));
-    let line = in_plane.or_else(|| meet_line(portals, &cone.origin)).or_else(|| {
-        let inside = cone.rays.iter().fold(zero(), |sum, ray| plus(&sum, ray));
-        let forward = |p: &&Portal3| Sign::of(&slope_of(&inside, p.normal())) == Sign::Positive;
-        if !portals.iter().all(forward) {
-            return None;
-        }
-        if !cone.lineality.is_empty() {
-            return along_lineality(&inside, &cone);
-        }
-        let found = between_signs(&inside, &cone);
-        found.or_else(|| isolated_lines(&cone).into_iter().find(passes))
-    })?;
-    debug_assert!(passes(&line), "a touching line passes the direct check");
-    Some(line.points(portals, &cone.origin))
+    let closed: Vec<ClosedPortal> =
+        portals.iter().map(|portal| ClosedPortal::new(portal)).collect();
+    let closed: Vec<&ClosedPortal> = closed.iter().collect();
+    Some(find(&closed)?.points(&closed))
+}
+
+/// A touching line by the steps a to d.
+fn find(portals: &[&ClosedPortal]) -> Option<ExactLine> {
+    let in_plane = portals.iter().find_map(|plane| line_in_plane(&plane.portal, portals));
+    let line = in_plane.or_else(|| meet_line(portals)).or_else(|| line_across(portals))?;
+    debug_assert!(line.touches_all(portals), "a touching line passes the direct check");
+    Some(line)
+}
+
+/// A directed line at a finite place that touches every portal of a sequence: crosses its plane
+/// forward and meets the closed polygon, or lies in its plane and meets it.
+#[derive(Clone, Debug)]
+pub struct TouchingLine(ExactLine);
+
+impl TouchingLine {
+    /// A line that touches all of `portals`, whether or not one passes strictly inside them; `None`
+    /// where they are blocked. The order of the portals is not asked for.
+    pub fn of(portals: &[&ClosedPortal]) -> Option<TouchingLine> {
+        let (first, last) = (portals.first()?, portals.last()?);
+        let quick = through_vertices(first, last).find(|line| line.touches_all(portals));
+        quick.or_else(|| find(portals)).map(TouchingLine)
+    }
+
+    /// Whether the line touches one more portal.
+    pub fn touches(&self, portal: &ClosedPortal) -> bool {
+        self.0.touches(portal)
+    }
+}
+
+/// The lines through a vertex of each portal, in both directions.
+fn through_vertices(first: &ClosedPortal, last: &ClosedPortal) -> impl Iterator<Item = ExactLine> {
+    let places = |portal: &ClosedPortal| -> Vec<([Int; 3], Int)> {
+        let vertices = portal.portal.vertices().iter();
+        vertices.map(|vertex| (vertex.coordinates.clone(), Int::from(1))).collect()
+    };
+    let ends = places(last);
+    places(first).into_iter().flat_map(move |p| {
+        let lines: Vec<ExactLine> =
+            ends.iter().map(|q| ExactLine::rational(through(&p, q))).collect();
+        lines.into_iter().flat_map(|line| [line.reversed(), line])
+    })
+}
+
+/// A touching line that crosses every portal's plane forward (steps b to d).
+fn line_across(portals: &[&ClosedPortal]) -> Option<ExactLine> {
+    let polygons: Vec<&Portal3> = portals.iter().map(|portal| &portal.portal).collect();
+    let cone = ClosedCone::new(&polygons);
+    let inside = cone.rays.iter().fold(zero(), |sum, ray| plus(&sum, ray));
+    let forward = |p: &&Portal3| Sign::of(&slope_of(&inside, p.normal())) == Sign::Positive;
+    if !polygons.iter().all(forward) {
+        return None;
+    }
+    if !cone.lineality.is_empty() {
+        return along_lineality(&inside, &cone).map(|line| line.moved(&cone.origin));
+    }
+    let found = between_signs(&inside, &cone).map(|line| line.moved(&cone.origin));
+    let isolated = || isolated_lines(&cone).into_iter().map(|line| line.moved(&cone.origin));
+    found.or_else(|| isolated().find(|line| line.touches_all(portals)))
 }
 
 /// A touching line through two vertices or trace ends in the portal's plane (step a).
-fn line_in_plane(plane: &Portal3, portals: &[&Portal3], origin: &[Int; 3]) -> Option<ExactLine> {
+fn line_in_plane(plane: &Portal3, portals: &[&ClosedPortal]) -> Option<ExactLine> {
     let mut points: Vec<([Int; 3], Int)> = Vec::new();
     for portal in portals {
-        let ends = trace(plane, portal, origin);
+        let ends = trace(plane, &portal.portal);
         if ends.is_empty() {
             return None;
         }
@@ -94,7 +144,7 @@ fn line_in_plane(plane: &Portal3, portals: &[&Portal3], origin: &[Int; 3]) -> Op
         for q in &points[..index] {
             let line = ExactLine::rational(through(p, q));
             let both = [line.reversed(), line];
-            let found = both.into_iter().find(|line| line.meets_all(portals, origin));
+            let found = both.into_iter().find(|line| line.touches_all(portals));
             if found.is_some() {
                 return found;
             }
@@ -105,10 +155,9 @@ fn line_in_plane(plane: &Portal3, portals: &[&Portal3], origin: &[Int; 3]) -> Op
 
 /// The vertices of the portal that lie in the plane and the points where its edges cross it, with
 /// their denominators: nothing where the plane misses the portal.
-fn trace(plane: &Portal3, portal: &Portal3, origin: &[Int; 3]) -> Vec<([Int; 3], Int)> {
-    let places: Vec<[Int; 3]> =
-        portal.vertices().iter().map(|v| sub(&v.coordinates, origin)).collect();
-    let height = |p: &[Int; 3]| super::sequence::dot3(plane.normal(), p) - plane.height_of(origin);
+fn trace(plane: &Portal3, portal: &Portal3) -> Vec<([Int; 3], Int)> {
+    let places: Vec<&[Int; 3]> = portal.vertices().iter().map(|v| &v.coordinates).collect();
+    let height = |p: &&[Int; 3]| dot3(plane.normal(), p) - plane.offset();
     let heights: Vec<Int> = places.iter().map(height).collect();
     let mut points = Vec::new();
     for (i, (p, h)) in places.iter().zip(&heights).enumerate() {
@@ -116,7 +165,7 @@ fn trace(plane: &Portal3, portal: &Portal3, origin: &[Int; 3]) -> Vec<([Int; 3],
         let (q, k) = (&places[next], &heights[next]);
         match Sign::of(h) {
             // The vertex lies in the plane.
-            Sign::Zero => points.push((p.clone(), Int::from(1))),
+            Sign::Zero => points.push(((*p).clone(), Int::from(1))),
             sign if Sign::of(k) == -sign => {
                 // (k p - h q) / (k - h), with a positive denominator.
                 let point: [Int; 3] = std::array::from_fn(|i| k * &p[i] - h * &q[i]);
@@ -141,12 +190,12 @@ fn through((a, u): &([Int; 3], Int), (b, v): &([Int; 3], Int)) -> Vector {
 }
 
 /// A touching line in which two portals' planes meet (step a).
-fn meet_line(portals: &[&Portal3], origin: &[Int; 3]) -> Option<ExactLine> {
+fn meet_line(portals: &[&ClosedPortal]) -> Option<ExactLine> {
     let pairs =
         portals.iter().enumerate().flat_map(|(i, a)| portals[..i].iter().map(move |b| (a, b)));
-    let lines = pairs.map(|(a, b)| ExactLine::rational(meet_of_planes(a, b, origin)));
+    let lines = pairs.map(|(a, b)| ExactLine::rational(meet_of_planes(&a.portal, &b.portal)));
     let mut both = lines.flat_map(|line| [line.reversed(), line]);
-    both.find(|line| line.meets_all(portals, origin))
+    both.find(|line| line.touches_all(portals))
 }
 
 /// Step c: from inside the cone along a line of the lineality space to the quadric.

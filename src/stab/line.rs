@@ -3,6 +3,7 @@
 //! A line is kept as its Plücker vector `a + b√d` with integer vectors a, b: every condition on it
 //! is linear, so each is the sign of one number of that field. A rational line has b = 0.
 
+use super::closed::{ClosedPortal, Row};
 use super::quadric::{Vector, quadric, side};
 use super::sequence::{Portal3, cross, dot3};
 use super::witness::{moved, primitive, zero};
@@ -19,7 +20,8 @@ pub struct StabLine {
 /// The Plücker vector `rational + root·√radicand` of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ExactLine {
-    rational: Vector,
+    rational: Row,
+    /// All zero, as is the radicand, for a rational line.
     root: Vector,
     radicand: Int,
 }
@@ -28,7 +30,7 @@ impl ExactLine {
     /// A line with integer coordinates. Requires: it is one (Q = 0).
     pub(super) fn rational(vector: Vector) -> ExactLine {
         debug_assert!(quadric(&vector) == Int::ZERO, "not a line");
-        ExactLine { rational: primitive(vector), root: zero(), radicand: Int::ZERO }
+        ExactLine { rational: Row::new(primitive(vector)), root: zero(), radicand: Int::ZERO }
     }
 
     /// Where the quadric is crossed strictly between r and s, if it is: at most two lines.
@@ -76,85 +78,83 @@ impl ExactLine {
         if &exact * &exact == radicand {
             return ExactLine::rational(std::array::from_fn(|i| &rational[i] + &exact * &root[i]));
         }
-        ExactLine { rational, root, radicand }
+        ExactLine { rational: Row::new(rational), root, radicand }
     }
 
     /// The same line with the opposite direction.
     pub(super) fn reversed(&self) -> ExactLine {
         let negated = |v: &Vector| v.each_ref().map(|c| -c);
         ExactLine {
-            rational: negated(&self.rational),
+            rational: Row::new(negated(&self.rational.vector)),
             root: negated(&self.root),
             radicand: self.radicand.clone(),
         }
     }
 
-    /// The sign of `row · line`.
-    pub(super) fn sign(&self, row: &Vector) -> Sign {
-        let dot = |v: &Vector| row.iter().zip(v).map(|(a, x)| a * x).sum::<Int>();
-        sign_of_surd(&dot(&self.rational), &dot(&self.root), &self.radicand)
+    /// The same line, relative to the grid's origin instead of the point `origin`.
+    pub(super) fn moved(&self, origin: &[Int; 3]) -> ExactLine {
+        ExactLine {
+            rational: Row::new(moved(&self.rational.vector, origin)),
+            root: moved(&self.root, origin),
+            radicand: self.radicand.clone(),
+        }
     }
 
-    /// The sign of the product of the line's direction with a normal.
-    fn slope(&self, normal: &[Int; 3]) -> Sign {
-        self.sign(&std::array::from_fn(|i| if i < 3 { normal[i].clone() } else { Int::ZERO }))
+    /// The sign of `row · line`.
+    pub(super) fn sign(&self, row: &Row) -> Sign {
+        let is_rational = self.radicand == Int::ZERO;
+        if is_rational && let Some(product) = row.small_product(&self.rational) {
+            return Sign::of(&product);
+        }
+        let dot = |v: &Vector| row.vector.iter().zip(v).map(|(a, x)| a * x).sum::<Int>();
+        match is_rational {
+            true => Sign::of(&dot(&self.rational.vector)),
+            false => sign_of_surd(&dot(&self.rational.vector), &dot(&self.root), &self.radicand),
+        }
     }
 
     fn is_finite(&self) -> bool {
         let nothing = |v: &Vector| v[..3].iter().all(|c| *c == Int::ZERO);
-        !(nothing(&self.rational) && nothing(&self.root))
+        !(nothing(&self.rational.vector) && nothing(&self.root))
     }
 
-    /// Does the line meet every closed portal, in its direction or within its plane? Coordinates
-    /// are relative to `origin`.
-    pub(super) fn meets_all(&self, portals: &[&Portal3], origin: &[Int; 3]) -> bool {
-        self.is_finite() && portals.iter().all(|portal| self.meets(portal, origin))
+    /// Does the line meet every closed portal, in its direction or within its plane?
+    pub(super) fn touches_all(&self, portals: &[&ClosedPortal]) -> bool {
+        self.is_finite() && portals.iter().all(|portal| self.touches(portal))
     }
 
-    fn meets(&self, portal: &Portal3, origin: &[Int; 3]) -> bool {
-        let mut sides =
-            (0..portal.vertices().len()).map(|edge| self.sign(&portal.edge_row(edge, origin)));
-        match self.slope(portal.normal()) {
+    /// The same for one portal, of a line that is finite.
+    pub(super) fn touches(&self, portal: &ClosedPortal) -> bool {
+        let mut sides = portal.edges.iter().map(|row| self.sign(row));
+        match self.sign(&portal.slope) {
             Sign::Positive => sides.all(|sign| sign != Sign::Negative),
             Sign::Negative => false,
-            // Parallel to the portal's plane: it grazes iff it lies in it and meets the polygon.
-            Sign::Zero => sides.all(|sign| sign == Sign::Zero) && self.meets_within(portal, origin),
+            // Parallel to the portal's plane: it grazes iff it lies in it and meets the polygon,
+            // that is, the vertices are not all strictly on one side of it.
+            Sign::Zero => {
+                let within: Vec<Sign> = match sides.all(|sign| sign == Sign::Zero) {
+                    true => portal.vertices.iter().map(|row| self.sign(row)).collect(),
+                    false => return false,
+                };
+                let all = |wanted: Sign| within.iter().all(|&sign| sign == wanted);
+                !all(Sign::Positive) && !all(Sign::Negative)
+            }
         }
     }
 
-    /// For a line in the portal's plane: are the vertices not all strictly on one side of it?
-    fn meets_within(&self, portal: &Portal3, origin: &[Int; 3]) -> bool {
-        let normal = portal.normal();
-        let signs = portal.vertices().iter().map(|vertex| {
-            // (n × d)·(v - p) = (v × n)·d + n·m for any point p of the line.
-            let place = super::sequence::sub(&vertex.coordinates, origin);
-            let [x, y, z] = cross(&place, normal);
-            let [a, b, c] = normal.clone();
-            self.sign(&[x, y, z, a, b, c])
-        });
-        let signs: Vec<Sign> = signs.collect();
-        let all = |wanted: Sign| signs.iter().all(|&sign| sign == wanted);
-        !all(Sign::Positive) && !all(Sign::Negative)
-    }
-
-    /// The line by two points, with the origin moved back: where it crosses the first and the last
-    /// of the portals' planes that it crosses, or else its point next to the origin and a step.
-    pub(super) fn points(&self, portals: &[&Portal3], origin: &[Int; 3]) -> StabLine {
-        let line = ExactLine {
-            rational: moved(&self.rational, origin),
-            root: moved(&self.root, origin),
-            radicand: self.radicand.clone(),
-        };
+    /// The line by two points: where it crosses the first and the last of the portals' planes that
+    /// it crosses, or else its point next to the origin and a step.
+    pub(super) fn points(&self, portals: &[&ClosedPortal]) -> StabLine {
         let coordinates: [Surd; 6] = std::array::from_fn(|i| {
             let part = |v: &Vector| Rational::from(v[i].clone());
-            Surd::new(part(&line.rational), part(&line.root), line.radicand.clone())
+            Surd::new(part(&self.rational.vector), part(&self.root), self.radicand.clone())
         });
         let [dx, dy, dz, mx, my, mz] = coordinates;
         let (d, m) = ([dx, dy, dz], [mx, my, mz]);
         let meets: Vec<[Surd; 3]> = portals
             .iter()
-            .filter(|portal| self.slope(portal.normal()) == Sign::Positive)
-            .map(|portal| crossing(portal, &d, &m))
+            .filter(|portal| self.sign(&portal.slope) == Sign::Positive)
+            .map(|portal| crossing(&portal.portal, &d, &m))
             .collect();
         let start = meets.first().cloned().unwrap_or_else(|| nearest_point(&d, &m));
         let apart = |end: &[Surd; 3]| {
@@ -198,11 +198,11 @@ fn nearest_point(d: &[Surd; 3], m: &[Surd; 3]) -> [Surd; 3] {
     surd_cross(d, m).map(|c| &c / &square)
 }
 
-/// The meet of two portals' planes, with the origin moved; all zero where they are one plane.
-pub(super) fn meet_of_planes(a: &Portal3, b: &Portal3, origin: &[Int; 3]) -> Vector {
+/// The meet of two portals' planes; all zero where they are one plane.
+pub(super) fn meet_of_planes(a: &Portal3, b: &Portal3) -> Vector {
     let [dx, dy, dz] = cross(a.normal(), b.normal());
-    let (first, second) = (a.height_of(origin), b.height_of(origin));
-    let moment = |i: usize| &second * &a.normal()[i] - &first * &b.normal()[i];
+    let (first, second) = (a.offset(), b.offset());
+    let moment = |i: usize| second * &a.normal()[i] - first * &b.normal()[i];
     [dx, dy, dz, moment(0), moment(1), moment(2)]
 }
 

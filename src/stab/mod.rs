@@ -6,6 +6,7 @@
 //! answers four given lines.
 
 mod certificate;
+mod closed;
 mod cone;
 mod engine;
 mod extremal;
@@ -25,8 +26,10 @@ mod wedge;
 mod witness;
 
 pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use closed::ClosedPortal;
 pub use extremal::{EdgeName, ExtremalLine};
 pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};
+pub use grazing::TouchingLine;
 pub use line::StabLine;
 pub use sequence::{Portal3, PortalError};
 pub use stabber::{ConeShape, Stabber, Verdict, decide_open};

@@ -4,7 +4,7 @@
 pub mod graphs;
 pub mod witness;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Three rooms in a row, the door between the last two skew; leafs 0 and 1 are both cell 0.
@@ -66,6 +66,31 @@ pub fn level(rows: [u8; 4]) -> Vec<u8> {
 /// Runs `stabline` in the folder `at`.
 pub fn stabline(at: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stabline")).current_dir(at).args(arguments).output().unwrap()
+}
+
+/// The project's folder.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The scenes in a folder of the project, in the order of their names.
+pub fn scenes(folder: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(root().join(folder)).unwrap();
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths
+}
+
+/// The folder of shared maps, where there is one.
+pub fn maps() -> Option<PathBuf> {
+    let shared =
+        std::env::var_os("STABLINE_SHARED").map_or_else(|| root().join("../shared"), PathBuf::from);
+    let maps = shared.join("maps");
+    if maps.is_dir() {
+        return Some(maps);
+    }
+    eprintln!("skipped: no shared maps at {}", maps.display());
+    None
 }
 
 /// What a command printed to standard output.

@@ -58,10 +58,7 @@ fn read_quake(level: Level<'_>) -> Result<Visibility, BspError> {
 }
 
 fn read_quake2(level: Level<'_>) -> Result<Visibility, BspError> {
-    let place = visibility_with_header(level, 4)?;
-    let limit = ((place.len() - 4) / 8).min(MAX_ROWS);
-    let rows = count(level.int(place.start), limit)
-        .map_err(|kind| BspError { offset: place.start, kind })?;
+    let (rows, place) = quake2_rows(level)?;
     let mut matrix = BitMatrix::new(rows);
     let mut row = Vec::with_capacity(matrix.row_bytes);
     for cluster in 0..rows {
@@ -72,6 +69,15 @@ fn read_quake2(level: Level<'_>) -> Result<Visibility, BspError> {
         matrix.set_row(cluster, &row);
     }
     Ok(Visibility { format: level.format, matrix, rows_missing: 0 })
+}
+
+/// The number of clusters of a Quake 2 level, and the place of its visibility.
+pub(super) fn quake2_rows(level: Level<'_>) -> Result<(usize, std::ops::Range<usize>), BspError> {
+    let place = visibility_with_header(level, 4)?;
+    let limit = ((place.len() - 4) / 8).min(MAX_ROWS);
+    let rows = count(level.int(place.start), limit)
+        .map_err(|kind| BspError { offset: place.start, kind })?;
+    Ok((rows, place))
 }
 
 fn read_quake3(level: Level<'_>) -> Result<Visibility, BspError> {

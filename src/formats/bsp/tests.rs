@@ -152,8 +152,49 @@ fn quake2_rows_are_read() {
     let level = quake2(&[1, 3, 2], &[28, 29, 30]);
     let matrix = Visibility::read(&level).unwrap().matrix;
     assert_eq!([0, 1, 2].map(|row| matrix.row(row)[0]), [1, 3, 2]);
-    let error = write_visibility(&level, &matrix).unwrap_err();
-    assert_eq!(error.kind, BspErrorKind::ReadOnlyFormat(BspFormat::Quake2));
+}
+
+/// The rows of what is heard, read through a level that has them in the place of what is seen.
+fn quake2_heard(level: &[u8]) -> BitMatrix {
+    let place = layout::int(level, 8 + 8 * 3) as usize;
+    let mut swapped = level.to_vec();
+    for cluster in 0..layout::int(level, place) as usize {
+        let at = place + 4 + 8 * cluster;
+        swapped[at..at + 4].copy_from_slice(&level[at + 4..at + 8]);
+    }
+    Visibility::read(&swapped).unwrap().matrix
+}
+
+#[test]
+fn quake2_rows_are_written_with_what_is_heard() {
+    // 1200 clusters in a row, each seeing its neighbours: so each hears two to either side.
+    let clusters = 1200;
+    let [mut seen, mut heard] = [BitMatrix::new(clusters), BitMatrix::new(clusters)];
+    for (matrix, reach) in [(&mut seen, 1), (&mut heard, 2)] {
+        for row in 0..clusters {
+            (row.saturating_sub(reach)..(row + reach + 1).min(clusters))
+                .for_each(|column| matrix.set(row, column));
+        }
+    }
+    let all = vec![0xff; clusters / 8];
+    let mut level = quake2(&all, &vec![4 + 8 * clusters as i32; clusters]);
+    let behind = level.len() as i32;
+    level.extend_from_slice(b"tail");
+    level[8 + 8 * 11..][..4].copy_from_slice(&behind.to_le_bytes());
+    level[12 + 8 * 11..][..4].copy_from_slice(&4i32.to_le_bytes());
+    let written = write_visibility(&level, &seen).unwrap();
+    assert_eq!(Visibility::read(&written).unwrap().matrix, seen);
+    assert_eq!(quake2_heard(&written), heard);
+    assert_eq!(write_visibility(&written, &seen).unwrap(), written);
+    // What lies behind moved, and its entry followed.
+    assert!(written.ends_with(b"tail"));
+    assert_eq!(layout::int(&written, 8 + 8 * 11) as usize, written.len() - 4);
+
+    // A cluster that does not even see itself hears itself.
+    let written = write_visibility(&level, &BitMatrix::new(clusters)).unwrap();
+    assert!((0..clusters).all(|cluster| quake2_heard(&written).get(cluster, cluster)));
+    let other = write_visibility(&level, &BitMatrix::new(7)).unwrap_err();
+    assert_eq!(other.kind, BspErrorKind::OtherLevel { expected: clusters, got: 7 });
 }
 
 #[test]

@@ -2,11 +2,12 @@
 //!
 //! Quake: the rows are run-length coded anew, equal rows once, and take the place of the old
 //! ones; what lies behind them in the file moves, and the directories (the level's own, and the
-//! BSPX directory that newer compilers put behind the last lump) follow. Quake 3: plain rows are
-//! overwritten in place.
+//! BSPX directory that newer compilers put behind the last lump) follow. Quake 2: the same, with
+//! rows of what can be heard that are computed anew: a cluster hears what the clusters that it
+//! sees see. Quake 3: plain rows are overwritten in place.
 
 use super::layout::{Level, Lump, QUAKE_LEAF_ROW, int};
-use super::read::quake3_rows;
+use super::read::{quake2_rows, quake3_rows};
 use super::{BitMatrix, BspError, BspErrorKind, BspFormat, Visibility};
 use std::collections::BTreeMap;
 
@@ -16,18 +17,14 @@ const BSPX_ENTRY: usize = 32;
 /// The level `bytes` with `matrix` as its visibility.
 ///
 /// # Errors
-/// [`BspError`], among them a matrix of another size than the level's, and a format that is only
-/// read (Quake 2, whose lump also holds what can be heard).
+/// [`BspError`], among them a matrix of another size than the level's.
 pub fn write_visibility(bytes: &[u8], matrix: &BitMatrix) -> Result<Vec<u8>, BspError> {
     let level = Level::new(bytes)?;
     let written = match level.format {
         BspFormat::Quake29 | BspFormat::GoldSrc30 | BspFormat::Bsp2 | BspFormat::Psb2 => {
             write_quake(level, matrix)?
         }
-        BspFormat::Quake2 => {
-            let kind = BspErrorKind::ReadOnlyFormat(level.format);
-            return Err(BspError { offset: 0, kind });
-        }
+        BspFormat::Quake2 => write_quake2(level, matrix)?,
         BspFormat::Quake3 => write_quake3(level, matrix)?,
     };
     // A garbled level may have its lumps lie over one another, or over their own directory.
@@ -57,10 +54,43 @@ fn write_quake3(level: Level<'_>, matrix: &BitMatrix) -> Result<Vec<u8>, BspErro
     Ok(bytes)
 }
 
+fn write_quake2(level: Level<'_>, matrix: &BitMatrix) -> Result<Vec<u8>, BspError> {
+    let (clusters, place) = quake2_rows(level)?;
+    check_size(clusters, matrix, place.start)?;
+    let heard = heard(matrix);
+    let rows = [matrix, &heard].into_iter();
+    let rows = rows.flat_map(|matrix| (0..clusters).map(move |cluster| matrix.row(cluster)));
+    let (code, starts) = encode(rows);
+    let mut data = (clusters as i32).to_le_bytes().to_vec();
+    for cluster in 0..clusters {
+        for start in [starts[cluster], starts[clusters + cluster]] {
+            data.extend_from_slice(&((4 + 8 * clusters + start) as i32).to_le_bytes());
+        }
+    }
+    data.extend_from_slice(&code);
+    replace_visibility(level, level.bytes.to_vec(), &data)
+}
+
+/// What each cluster hears: itself, what it sees, and what those see.
+fn heard(seen: &BitMatrix) -> BitMatrix {
+    let mut heard = BitMatrix::new(seen.size());
+    for cluster in 0..seen.size() {
+        let mut row = seen.row(cluster).to_vec();
+        for other in (0..seen.size()).filter(|&other| seen.get(cluster, other)) {
+            for (byte, more) in row.iter_mut().zip(seen.row(other)) {
+                *byte |= more;
+            }
+        }
+        heard.set_row(cluster, &row);
+        heard.set(cluster, cluster);
+    }
+    heard
+}
+
 fn write_quake(level: Level<'_>, matrix: &BitMatrix) -> Result<Vec<u8>, BspError> {
     let (rows, leafs) = level.quake_leafs()?;
     check_size(rows, matrix, leafs.start)?;
-    let (data, starts) = encode(matrix);
+    let (data, starts) = encode((0..rows).map(|row| matrix.row(row)));
     // The rows' offsets, written before anything moves.
     let mut bytes = level.bytes.to_vec();
     let leaf_count = leafs.len() / level.leaf_record();
@@ -77,13 +107,12 @@ fn write_quake(level: Level<'_>, matrix: &BitMatrix) -> Result<Vec<u8>, BspError
     replace_visibility(level, bytes, &data)
 }
 
-/// The run-length coded rows, equal rows once, and where each leaf's row begins.
-fn encode(matrix: &BitMatrix) -> (Vec<u8>, Vec<usize>) {
+/// The run-length coded rows, equal rows once, and where each begins.
+fn encode<'a>(rows: impl Iterator<Item = &'a [u8]>) -> (Vec<u8>, Vec<usize>) {
     let mut data = Vec::new();
     let mut known: BTreeMap<&[u8], usize> = BTreeMap::new();
-    let mut starts = Vec::with_capacity(matrix.size());
-    for leaf in 0..matrix.size() {
-        let row = matrix.row(leaf);
+    let mut starts = Vec::new();
+    for row in rows {
         starts.push(*known.entry(row).or_insert_with(|| {
             let start = data.len();
             let mut rest = row;
