@@ -175,7 +175,7 @@ mod tests {
         let mut random = Random::new(6);
         let mut excluded = 0;
         for reach in [2i64, 3, 1 << 8, 1 << 20, 1 << 40] {
-            for _ in 0..10 {
+            for _ in 0..60 {
                 let portals = [(); 6].map(|()| triangle(&mut random, reach));
                 let reversed = portals.each_ref().map(Portal3::reversed);
                 for turned in 0u32..64 {
