@@ -94,6 +94,8 @@ pub struct Budget {
     pub(super) exact_lines: bool,
     /// The error of `side_of_lines`' float stage beyond [`SPLIT_BITS`].
     pub(super) side_of_lines_error: f64,
+    /// 2^-bits, which brings moments to the size of directions.
+    pub(super) moment_scale: f64,
 }
 
 impl Budget {
@@ -111,6 +113,7 @@ impl Budget {
             orient3d_error: orient3d_error(difference),
             exact_lines: bits <= SPLIT_BITS,
             side_of_lines_error: side_of_lines_error(difference, coordinate),
+            moment_scale: 1.0 / coordinate,
         }
     }
 

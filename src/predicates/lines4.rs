@@ -102,7 +102,7 @@ fn count_beyond_floats(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
 /// and 24 with the higher orders and the rounding of m. On the largest grid D is below 2^480; and
 /// m = 0 only where a, b and c are zero, and D with them.
 #[inline(always)]
-fn discriminant_filter(s: &Products<f64>) -> Option<Sign> {
+pub(super) fn discriminant_filter(s: &Products<f64>) -> Option<Sign> {
     let (a, b, c) = (s[0] * s[5], s[1] * s[4], s[2] * s[3]);
     let m = a.abs() + b.abs() + c.abs();
     let value = (a - b - c) * (a - b - c) - 4.0 * b * c;
@@ -341,7 +341,7 @@ fn gram<T: Clone>(side: impl Fn(usize, usize) -> T) -> [[T; 5]; 5] {
 }
 
 /// The side product of two lines, which hold up to 38 bits.
-fn side(x: &Line, y: &Line) -> i128 {
+pub(super) fn side(x: &Line, y: &Line) -> i128 {
     const { assert!(SIDE_OF_LINES.largest_grid(128) >= 38) }
     const { assert!(TRANSVERSAL_COUNT.largest_grid(512) >= 38) }
     let (d, e) = (x.direction().map(i128::from), y.direction().map(i128::from));

@@ -1,0 +1,224 @@
+//! The lines that meet four lines, and how others pass each of them.
+//!
+//! Four lines in general position meet two common lines, or none. [`FourLines`] is made once for
+//! four lines and then tells of any number of others how they pass each transversal. With Plücker
+//! vectors the transversals are H ± √D·W, polynomials of the four lines' coordinates
+//! (`four_lines::algebra`). Three stages:
+//!
+//! 1. Floats hold both, with an error bound that is computed once, so that another line costs its
+//!    two side products and a comparison.
+//! 2. If two of the four lines are coplanar, D is a square and the transversals are rational: one
+//!    goes through the point that the two share, one lies in their plane. They are held in
+//!    integers of a fixed width. Edges parallel to the axes (any four contain two parallel ones)
+//!    are scaled to unit directions and then fit `i128`: they skip the floats, which could not
+//!    decide the many zeros of architecture. So are double lines, where D = 0.
+//! 3. What is left to decide, of transversals over Q(√D), is decided by squaring unbounded
+//!    integers. Such a side is zero only for a line that depends on the four.
+//!
+//! Invariant: directions and numbers of the transversals do not depend on the stage.
+//!
+//! Complexity: constant.
+
+mod algebra;
+mod exact;
+
+use super::budget::{Budget, U};
+use super::counters::{Predicate, Stage, record};
+use super::lines::float_side;
+use super::lines4::{TransversalCount, discriminant_filter, side};
+use crate::geom::Line;
+use crate::num::Sign;
+use algebra::{Products, Vector, conjugates, opposite};
+use exact::{Exact, NARROW_BITS, Solution, solve};
+use std::cell::OnceCell;
+
+/// How a line passes each of the transversals of four lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// There is no transversal.
+    None,
+    /// There is one, a double one.
+    One(Sign),
+    /// There are two, in their order.
+    Two([Sign; 2]),
+    /// There are infinitely many.
+    Family,
+}
+
+/// Four lines and what meets them all.
+#[derive(Debug)]
+pub struct FourLines<'a> {
+    lines: [&'a Line; 4],
+    bits: u32,
+    /// The float stage, where it found two transversals.
+    floats: Option<FloatPair>,
+    exact: OnceCell<Exact>,
+}
+
+/// Two lines in floats.
+#[derive(Clone, Copy, Debug)]
+struct FloatPair {
+    /// Moments, as multiples of those of the grid.
+    moment: [[f64; 2]; 3],
+    direction: [[f64; 2]; 3],
+    /// The error of a side product is this times the other's largest direction.
+    error: f64,
+}
+
+impl<'a> FourLines<'a> {
+    /// The lines that meet all four.
+    ///
+    /// Requires: the points that the lines were made of are within the budget.
+    pub fn new(lines: [&'a Line; 4], budget: &Budget) -> FourLines<'a> {
+        let bits = budget.bits();
+        let of = |floats: Option<FloatPair>, exact: Option<Exact>| FourLines {
+            lines,
+            bits,
+            floats,
+            exact: exact.map_or_else(OnceCell::new, OnceCell::from),
+        };
+        if bits <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
+            return of(None, Some(Exact::Narrow(solve(&lines.map(axial)))));
+        }
+        if budget.filters() {
+            let s = float_products(lines, budget);
+            match discriminant_filter(&s) {
+                Some(Sign::Negative) => return of(None, Some(Exact::Narrow(Solution::None))),
+                Some(Sign::Positive) => {
+                    if let Some(floats) = FloatPair::meeting(lines, &s, budget) {
+                        return of(Some(floats), None);
+                    }
+                }
+                // One transversal, a family, or too close to that for floats.
+                Some(Sign::Zero) | None => {}
+            }
+        }
+        of(None, Some(Exact::of_lines(lines, bits)))
+    }
+
+    /// How a line passes each of the lines that meet the four.
+    ///
+    /// Positive: [`side_of_lines`](super::side_of_lines) of the transversal and the line is;
+    /// zero: they meet or are parallel. Transversals are directed so that the first coordinate of
+    /// the direction that is not zero is positive, at infinity that of the moment. Two
+    /// transversals L and M come in the order in which det(l1, l2, l3, l4, L, M)·side(L, M) is
+    /// positive, for Plücker vectors (direction, moment).
+    ///
+    /// 1. Even permutations of the four change nothing, odd ones swap the transversals, and so
+    ///    does reversing one of the four.
+    /// 2. Reversing the fifth line changes the signs; one of the four has the side zero.
+    /// 3. The product of both signs and of side(L, M) is that of
+    ///    [`side_of_transversals`](super::side_of_transversals).
+    ///
+    /// Requires: the points that the line was made of are within the budget.
+    ///
+    /// Contract: exact, degree 26, unperturbed
+    ///
+    /// Source: Teller 1992, section 6.3, and Hohmeyer and Teller 1999, for the lines themselves.
+    #[inline]
+    pub fn sides_of_each(&self, line: &Line) -> Sides {
+        if let Some(signs) = self.floats.and_then(|floats| floats.sides(line)) {
+            record(Predicate::SidesOfEach, Stage::Filter);
+            return Sides::Two(signs);
+        }
+        self.sides_exact(line)
+    }
+
+    fn sides_exact(&self, line: &Line) -> Sides {
+        let exact = self.exact.get_or_init(|| Exact::of_lines(self.lines, self.bits));
+        record(Predicate::SidesOfEach, exact.stage());
+        exact.sides(line)
+    }
+
+    /// How many lines meet the four.
+    pub fn count(&self) -> TransversalCount {
+        match self.exact.get() {
+            None => TransversalCount::Two,
+            Some(exact) => exact.count(),
+        }
+    }
+}
+
+/// Whether a line is parallel to an axis.
+#[inline(always)]
+fn is_axial(line: &Line) -> bool {
+    let [[x, _], [y, _], [z, _]] = *line.paired_direction();
+    u8::from(x != 0.0) + u8::from(y != 0.0) + u8::from(z != 0.0) == 1
+}
+
+/// The Plücker vector of a line parallel to an axis, scaled to a direction of length one. The
+/// moment of points up to 2^23 is below 2^48, its parts' sum exact, and so is the quotient: the
+/// moment is the product of an integer point and the direction.
+#[inline(always)]
+fn axial(line: &Line) -> Vector<i128> {
+    let direction = line.paired_direction().map(|[d, _]| d);
+    let length = direction.iter().map(|d| d.abs()).sum::<f64>();
+    let [a, b, c] = direction.map(|d| i128::from((d / length) as i64));
+    let moment = line.split_moment().map(|[high, low]| (high + low) / length);
+    let [d, e, f] = moment.map(|m| i128::from(m as i64));
+    [a, b, c, d, e, f]
+}
+
+impl FloatPair {
+    /// Both transversals of lines that certainly have two.
+    #[inline(always)]
+    fn meeting(lines: [&Line; 4], s: &Products<f64>, budget: &Budget) -> Option<FloatPair> {
+        let scale = budget.moment_scale;
+        let rows = lines.map(|line| {
+            let [a, b, c] = line.paired_direction().map(|[d, _]| d);
+            let [d, e, f] = line.split_moment().map(|[high, low]| (high + low) * scale);
+            [a, b, c, d, e, f]
+        });
+        let abc = opposite(s);
+        let size = abc[0].abs() + abc[1].abs() + abc[2].abs();
+        let d = algebra::discriminant(&abc);
+        let root = d.sqrt();
+        let [h, w] = conjugates(&rows, s, &abc, 3);
+        let nu = largest(rows.iter().flat_map(|row| &row[..3]));
+        let kappa = largest(s);
+        let nu2 = nu * nu;
+        let error = U
+            * (60_000.0 * kappa * kappa * kappa * nu2
+                + 200_000.0 * nu2 * nu2 * size * (size / root));
+        if h[0].abs() <= error {
+            return None;
+        }
+        let turn = if h[0] < 0.0 { -1.0 } else { 1.0 };
+        let pair = |i: usize| [turn * (h[i] + root * w[i]), turn * (h[i] - root * w[i])];
+        Some(FloatPair {
+            moment: [pair(3), pair(4), pair(5)],
+            direction: [pair(0), pair(1), pair(2)].map(|pair| pair.map(|x| x * scale)),
+            error,
+        })
+    }
+
+    #[inline(always)]
+    fn sides(&self, line: &Line) -> Option<[Sign; 2]> {
+        let (direction, moment) = (line.paired_direction(), line.split_moment());
+        let reach = direction.iter().fold(0.0f64, |reach, [d, _]| reach.max(d.abs()));
+        let term = |i: usize| {
+            let m = moment[i][0] + moment[i][1];
+            let along = [0, 1].map(|k| self.moment[i][k] * direction[i][k]);
+            let about = [0, 1].map(|k| self.direction[i][k] * m);
+            [along[0] + about[0], along[1] + about[1]]
+        };
+        let [x, y, z] = [term(0), term(1), term(2)];
+        let [first, second] = [x[0] + y[0] + z[0], x[1] + y[1] + z[1]];
+        let error = self.error * reach;
+        (first.abs() > error && second.abs() > error).then(|| [Sign::of(&first), Sign::of(&second)])
+    }
+}
+
+fn largest<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |largest, x| largest.max(x.abs()))
+}
+
+/// The side products of four lines, with moments in units of the grid's size; rounded once.
+#[inline(always)]
+fn float_products([k, l, m, n]: [&Line; 4], budget: &Budget) -> Products<f64> {
+    let product = |x: &Line, y: &Line| {
+        budget.moment_scale * if budget.exact_lines { float_side(x, y) } else { side(x, y) as f64 }
+    };
+    let (kl, km, kn) = (product(k, l), product(k, m), product(k, n));
+    [kl, km, kn, product(l, m), product(l, n), product(m, n)]
+}
