@@ -269,7 +269,7 @@ fn each_transversal_passes_lines_as_the_lines_themselves_say() {
     let mut seen = [0; 4];
     for kind in KINDS {
         for reach in [2, 8, 1000, 1 << 20, 1 << 23, 1 << 24, 1 << 27, 1 << 33, 1 << 38] {
-            for _ in 0..if reach <= 1000 { 150 } else { 25 } {
+            for _ in 0..if reach <= 8 { 80 } else { 12 } {
                 let lines = pool(kind, reach, &mut random);
                 let (four, _) = lines.split_first_chunk::<4>().unwrap();
                 let expected = expected_sides(four, &lines);

@@ -21,6 +21,8 @@
 
 mod algebra;
 mod exact;
+#[cfg(test)]
+mod tests;
 
 use super::budget::{Budget, U};
 use super::counters::{Predicate, Stage, record};
@@ -28,8 +30,10 @@ use super::lines::float_side;
 use super::lines4::{TransversalCount, discriminant_filter, side};
 use crate::geom::Line;
 use crate::num::Sign;
-use algebra::{Products, Vector, conjugates, opposite};
-use exact::{Exact, NARROW_BITS, Solution, solve};
+pub(super) use algebra::{PAIRS, Products};
+use algebra::{conjugates, opposite};
+use exact::{Exact, Solution, axial, solve};
+pub(super) use exact::{NARROW_BITS, count_axial, count_big, count_degenerate, is_axial};
 use std::cell::OnceCell;
 
 /// How a line passes each of the transversals of four lines.
@@ -78,7 +82,8 @@ impl<'a> FourLines<'a> {
             exact: exact.map_or_else(OnceCell::new, OnceCell::from),
         };
         if bits <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
-            return of(None, Some(Exact::Narrow(solve(&lines.map(axial)))));
+            let unit = lines.map(|line| axial(line).map(i128::from));
+            return of(None, Some(Exact::Narrow(solve(&unit))));
         }
         if budget.filters() {
             let s = float_products(lines, budget);
@@ -139,28 +144,28 @@ impl<'a> FourLines<'a> {
     }
 }
 
-/// Whether a line is parallel to an axis.
-#[inline(always)]
-fn is_axial(line: &Line) -> bool {
-    let [[x, _], [y, _], [z, _]] = *line.paired_direction();
-    u8::from(x != 0.0) + u8::from(y != 0.0) + u8::from(z != 0.0) == 1
-}
-
-/// The Plücker vector of a line parallel to an axis, scaled to a direction of length one. The
-/// moment of points up to 2^23 is below 2^48, its parts' sum exact, and so is the quotient: the
-/// moment is the product of an integer point and the direction.
-#[inline(always)]
-fn axial(line: &Line) -> Vector<i128> {
-    let direction = line.paired_direction().map(|[d, _]| d);
-    let length = direction.iter().map(|d| d.abs()).sum::<f64>();
-    let [a, b, c] = direction.map(|d| i128::from((d / length) as i64));
-    let moment = line.split_moment().map(|[high, low]| (high + low) / length);
-    let [d, e, f] = moment.map(|m| i128::from(m as i64));
-    [a, b, c, d, e, f]
-}
-
 impl FloatPair {
-    /// Both transversals of lines that certainly have two.
+    /// Both transversals of lines that certainly have two, H ± √D·W for f = (0, 0, 0, 1, 0, 0).
+    ///
+    /// Moments are taken in units of C, so that with ν = max |d| over the lines' directions moments
+    /// are at most 2ν (m = p×d), and in error by u relatively; side products are rounded once, at
+    /// most κ, and κ <= 12ν². To first order, in units of u:
+    ///
+    /// a, b, c are at most κ² and in error by 3κ², a-b-c at most 3κ² and in error by 9+2+3 = 14κ²;
+    /// with m = |a|+|b|+|c| <= 3κ², D <= m² by 24m² (`discriminant_filter`), its root by
+    /// 24m²/√D + √D. The adjugate's entries are at most 3κ³ (on the diagonal 2κ³) and in error by
+    /// 20κ³ (10κ³). A coordinate of its product with the directions' x is at most 11κ³ν and in error
+    /// by 70κ³ν from the entries, 11κ³ν from products and 33κ³ν from sums: 114κ³ν. Four products
+    /// with the lines are at most 88κ³ν², and in error by 912 + 88 + 88 + 264 = 1352κ³ν². Adding D
+    /// once (at most 9κ⁴ <= 108κ³ν², in error by 216κ⁴ <= 2592κ³ν²) makes H at most 196κ³ν², in
+    /// error by 4140κ³ν². Minors of two lines are at most 8ν² and in error by 24 + 8 = 32ν²; their
+    /// products at most 64ν⁴, in error by 576ν⁴; six of them at most 384ν⁴, in error by
+    /// 3456 + 1280 = 4736ν⁴: W. So H ± √D·W is at most Λ = 196κ³ν² + 384√D·ν⁴, and in error by
+    ///   4140κ³ν² + 4736√D·ν⁴ + (24m²/√D + 2√D)·384ν⁴ + Λ <= 4336κ³ν² + 15104ν⁴·m²/√D,
+    /// since √D <= m. The side product with a line of direction at most δ and moment at most 2δ is
+    /// then in error by 9δ of that, and by (6 + 9 + 45)Λδ from that line's moment, the products and
+    /// the sums: by 50784κ³ν²δ + 158976ν⁴δ·m²/√D. The constants below leave a sixth for the higher
+    /// orders and this formula's rounding. Nothing underflows: all are integers over powers of C.
     #[inline(always)]
     fn meeting(lines: [&Line; 4], s: &Products<f64>, budget: &Budget) -> Option<FloatPair> {
         let scale = budget.moment_scale;

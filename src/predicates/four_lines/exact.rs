@@ -2,14 +2,14 @@
 
 use super::Sides;
 use super::algebra::{
-    PAIRS, Vector, adjugate, combination, conjugates, discriminant, first_not_zero, opposite,
-    products, side, through_point_and_in_plane,
+    PAIRS, Products, Vector, adjugate, combination, conjugates, discriminant, first_not_zero,
+    opposite, products, side, through_point_and_in_plane,
 };
-use crate::geom::Line;
+use crate::geom::{BigLine, Line};
 use crate::num::{Int, Int320, Sign, sign_of_surd};
 use crate::predicates::TransversalCount;
+use crate::predicates::budget::TRANSVERSAL_COUNT;
 use crate::predicates::counters::Stage;
-use crate::predicates::lines4::TRANSVERSAL_COUNT;
 use crate::predicates::ring::Ring;
 use num_traits::Zero;
 
@@ -22,10 +22,19 @@ use num_traits::Zero;
 /// 3(96 + 192)C⁵, less than 2^(5b+10).
 pub const NARROW_BITS: u32 = 23;
 
-/// The largest grid on which rational transversals are held in 320 bits: those of the
-/// discriminant, below 2^(12b+23). Against that, two lines through a point or in a plane have
-/// 2^(10b+13) in their coordinates and 2^(11b+17) with a fifth line, a double one 2^(11b+19) and
-/// 2^(12b+22): `docs/predicates.md` derives them.
+/// The largest grid on which rational transversals are held in 320 bits: as for the discriminant,
+/// below 2^(12b+23). With D = 2C for directions and M = 2C² for moments:
+///
+/// The plane of two parallel lines has a normal below 2DM = 2^(3b+3) and an offset below 2M² =
+/// 2^(4b+3); a third line crosses it in a point of weight below 2^(4b+5.6) and position below
+/// 2^(5b+5.6); two of them have a line below 2^(9b+12.2) and 2^(10b+12.2) (direction and moment),
+/// and a side product below 2^(11b+15.8). The planes of two lines that cross, and the lines through
+/// their point at infinity if they are parallel, are smaller. The point of two lines that cross has
+/// a weight below 2D² = 2^(2b+3) and a position below 3DM = 2^(3b+3.6); its plane with a third line
+/// a normal below 2^(4b+6.1) and an offset below 2^(5b+6.2); two such planes meet in a line below
+/// 2^(8b+13.2) and 2^(9b+13.3), side product 2^(10b+16.9). A double transversal, four products of
+/// the adjugate of S, below 2^(9b+15.4), and of a line, is below 2^(10b+18.4) and 2^(11b+18.4), its
+/// side products below 2^(12b+22).
 pub const FIXED_BITS: u32 = TRANSVERSAL_COUNT.largest_grid(320);
 
 /// What meets four lines, with coordinates of one kind of number.
@@ -54,31 +63,63 @@ impl<T> Solution<T> {
 pub fn solve<T: Ring>(lines: &[Vector<T>; 4]) -> Solution<T> {
     let s = products(lines);
     let opposites = opposite(&s);
-    let Some(pair) = s.iter().position(|s| s.sign() == Sign::Zero) else {
+    let Some((pair, order)) = coplanar_pair(&s, &opposites) else {
         return match discriminant(&opposites).sign() {
             Sign::Negative => Solution::None,
             Sign::Zero => degenerate(lines, &s, &opposites),
             Sign::Positive => Solution::Conjugate,
         };
     };
-    // One of a, b and c is zero, and D the square of the others' difference.
-    let [a, b, c] = &opposites;
-    let difference = match PAIRS[pair.min(5 - pair)][1] {
-        1 => b.minus(c),
-        2 => c.minus(a),
-        _ => a.minus(b),
-    };
-    let order = difference.sign();
-    if order == Sign::Zero {
-        return degenerate(lines, &s, &opposites);
-    }
     let [i, j] = PAIRS[pair].map(|i| &lines[i]);
     let [k, l] = PAIRS[5 - pair].map(|i| &lines[i]);
-    let [through_point, in_plane] = through_point_and_in_plane([i, j], [k, l]).map(directed);
-    Solution::Two(match order {
-        Sign::Positive => [through_point, in_plane],
-        Sign::Negative | Sign::Zero => [in_plane, through_point],
-    })
+    let rational = || through_point_and_in_plane([i, j], [k, l]).map(directed);
+    match order {
+        Sign::Positive => Solution::Two(rational()),
+        Sign::Negative => {
+            let [through_point, in_plane] = rational();
+            Solution::Two([in_plane, through_point])
+        }
+        Sign::Zero => degenerate(lines, &s, &opposites),
+    }
+}
+
+/// A pair of coplanar lines, and the sign of b - c, c - a or a - b where a, b or c is their
+/// product with that of the other two: D is its square. With that difference for √D, H + √D·W is
+/// the line through the common point: so the two alone have an order.
+#[inline(always)]
+fn coplanar_pair<T: Ring>(s: &Products<T>, [a, b, c]: &[T; 3]) -> Option<(usize, Sign)> {
+    let pair = s.iter().position(|s| s.sign() == Sign::Zero)?;
+    let difference = match pair {
+        0 | 5 => b.minus(c),
+        1 | 4 => c.minus(a),
+        _ => a.minus(b),
+    };
+    Some((pair, difference.sign()))
+}
+
+/// How many lines meet four edges parallel to the axes, on grids up to [`NARROW_BITS`]: products
+/// are at most 2C, and their products 4C².
+pub fn count_axial(lines: [&Line; 4]) -> TransversalCount {
+    let lines = lines.map(axial);
+    let s = products(&lines);
+    let opposites = opposite(&s);
+    match coplanar_pair(&s, &opposites) {
+        Some((_, Sign::Positive | Sign::Negative)) => TransversalCount::Two,
+        // Two of the four are parallel, so there is a pair.
+        Some((_, Sign::Zero)) | None => {
+            let lines = lines.map(|line| line.map(i128::from));
+            degenerate(&lines, &s.map(i128::from), &opposites.map(i128::from)).count()
+        }
+    }
+}
+
+/// How many lines meet four whose discriminant is zero.
+pub fn count_degenerate(lines: [&Line; 4], bits: u32) -> TransversalCount {
+    fn count<T: Ring>(lines: &[Vector<T>; 4]) -> TransversalCount {
+        let s = products(lines);
+        degenerate(lines, &s, &opposite(&s)).count()
+    }
+    if bits <= FIXED_BITS { count(&lines.map(wide)) } else { count(&lines.map(big)) }
 }
 
 /// What meets the lines where D = 0.
@@ -89,7 +130,7 @@ pub fn solve<T: Ring>(lines: &[Vector<T>; 4]) -> Solution<T> {
 /// one, and its rows that are not zero hold the radical's coordinates: the one vector of the span
 /// that all four lines meet. If that sum is zero, the fourth line depends on the three, and the
 /// other ruling of their surface meets all.
-fn degenerate<T: Ring>(lines: &[Vector<T>; 4], s: &[T; 6], opposites: &[T; 3]) -> Solution<T> {
+fn degenerate<T: Ring>(lines: &[Vector<T>; 4], s: &Products<T>, opposites: &[T; 3]) -> Solution<T> {
     let skew = |i: usize| {
         // The other three lines are, each to each.
         let mut others = (0..6).filter(|&pair| !PAIRS[pair].contains(&i));
@@ -111,6 +152,15 @@ pub fn directed<T: Ring>(line: Vector<T>) -> Vector<T> {
         Some(Sign::Negative) => line.map(|x| x.minus(&x).minus(&x)),
         Some(Sign::Positive | Sign::Zero) | None => line,
     }
+}
+
+/// How many lines meet four, in unbounded integers.
+pub fn count_big(lines: [BigLine; 4]) -> TransversalCount {
+    let vectors = lines.map(|line| {
+        let ([a, b, c], [d, e, f]) = (line.direction, line.moment);
+        [a, b, c, d, e, f]
+    });
+    solve(&vectors).count()
 }
 
 /// The transversals of four lines, ready to be passed by others.
@@ -136,12 +186,12 @@ impl Exact {
     /// The transversals of any lines.
     pub fn of_lines(lines: [&Line; 4], bits: u32) -> Exact {
         if bits <= FIXED_BITS {
-            match solve(&lines.map(|line| wide(line))) {
+            match solve(&lines.map(wide)) {
                 Solution::Conjugate => {}
                 solution => return Exact::Fixed(Box::new(solution)),
             }
         }
-        Exact::of_vectors(&lines.map(|line| big(line)))
+        Exact::of_vectors(&lines.map(big))
     }
 
     fn of_vectors(lines: &[Vector<Int>; 4]) -> Exact {
@@ -196,37 +246,60 @@ fn sides_of<T: Ring>(solution: &Solution<T>, line: &Vector<T>) -> Sides {
 }
 
 /// H ± √D·W for the first unit vector f that gives both, with f·L > 0; where the root is a whole
-/// number, one f for each of them.
+/// number, for the first f that gives each.
 fn conjugate(lines: &[Vector<Int>; 4]) -> Exact {
     let s = products(lines);
     let opposites = opposite(&s);
     let d = discriminant(&opposites);
-    let root = d.sqrt();
-    let square = &root * &root == d;
     // Lines at infinity first, and their sides are the coordinates of directions; so the first
     // that gives anything gives the first coordinate that is not zero.
-    let mut candidates =
-        [3, 4, 5, 0, 1, 2].map(|column| (column, conjugates(lines, &s, &opposites, column)));
-    if square {
+    let candidates = || {
+        [3, 4, 5, 0, 1, 2]
+            .into_iter()
+            .map(|column| (column, conjugates(lines, &s, &opposites, column)))
+    };
+    let root = d.sqrt();
+    if &root * &root == d {
         let line = |root: &Int| {
-            let sums = candidates.iter().map(|(_, [h, w])| -> Vector<Int> {
+            let sums = candidates().map(|(_, [h, w])| -> Vector<Int> {
                 std::array::from_fn(|k| &h[k] + root * &w[k])
             });
-            let mut lines = sums.filter(|sum| sum.iter().any(|x| !x.is_zero()));
-            // Both transversals are not zero, so neither meets all of a basis.
-            directed(lines.next().unwrap_or_default())
+            // Neither transversal meets all of a basis, so that the other is zero throughout.
+            directed(
+                sums.into_iter().find(|sum| sum.iter().any(|x| !x.is_zero())).unwrap_or_default(),
+            )
         };
         return Exact::Big(Box::new(Solution::Two([line(&root), line(&-&root)])));
     }
-    let of_both = |(column, [h, _]): &(usize, [Vector<Int>; 2])| !h[(column + 3) % 6].is_zero();
-    let chosen = candidates.iter().position(of_both).unwrap_or_default();
-    let (column, [h, w]) = std::mem::take(&mut candidates[chosen]);
-    let reversed = h[(column + 3) % 6] < Int::zero();
+    let along = |(column, [h, _]): &(usize, [Vector<Int>; 2])| Sign::of(&h[(column + 3) % 6]);
+    let chosen = candidates().find(|candidate| along(candidate) != Sign::Zero);
+    let reversed = chosen.as_ref().map(along) == Some(Sign::Negative);
+    let (_, [h, w]) = chosen.unwrap_or_default();
     let turn = |v: Vector<Int>| if reversed { v.map(|x| -x) } else { v };
     Exact::Conjugate(Box::new(Conjugates { h: turn(h), w: turn(w), d }))
 }
 
-pub fn narrow(line: &Line) -> Vector<i128> {
+/// Whether a line is parallel to an axis.
+#[inline(always)]
+pub fn is_axial(line: &Line) -> bool {
+    let [[x, _], [y, _], [z, _]] = *line.paired_direction();
+    u8::from(x != 0.0) + u8::from(y != 0.0) + u8::from(z != 0.0) == 1
+}
+
+/// The Plücker vector of a line parallel to an axis, scaled to a direction of length one. The
+/// moment of points up to 2^23 is below 2^48, its parts' sum exact, and so is the quotient: the
+/// moment is the product of an integer point and the direction.
+#[inline(always)]
+pub fn axial(line: &Line) -> Vector<i64> {
+    let direction = line.paired_direction().map(|[d, _]| d);
+    let length = direction.iter().map(|d| d.abs()).sum::<f64>();
+    let [a, b, c] = direction.map(|d| (d / length) as i64);
+    let moment = line.split_moment().map(|[high, low]| (high + low) / length);
+    let [d, e, f] = moment.map(|m| m as i64);
+    [a, b, c, d, e, f]
+}
+
+fn narrow(line: &Line) -> Vector<i128> {
     let ([a, b, c], [d, e, f]) = (line.direction().map(i128::from), line.moment());
     [a, b, c, d, e, f]
 }
