@@ -282,7 +282,7 @@ fn table() {
     for data in [data(false), data(true)] {
         for group in GROUPS {
             let mut least = vec![f64::INFINITY; group.len()];
-            for _ in 0..40 {
+            for _ in 0..100 {
                 for (least, variant) in least.iter_mut().zip(group) {
                     let start = Instant::now();
                     black_box(pass(variant, black_box(&data), black_box(&budget)));

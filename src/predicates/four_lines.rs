@@ -33,7 +33,9 @@ use crate::num::Sign;
 pub(super) use algebra::{PAIRS, Products};
 use algebra::{conjugates, opposite};
 use exact::{Exact, Solution, axial, solve};
-pub(super) use exact::{NARROW_BITS, count_axial, count_big, count_degenerate, is_axial};
+pub(super) use exact::{
+    NARROW_BITS, count_axial, count_big, count_degenerate, has_skew_triple, is_axial,
+};
 use std::cell::OnceCell;
 
 /// How a line passes each of the transversals of four lines.
@@ -82,8 +84,8 @@ impl<'a> FourLines<'a> {
             exact: exact.map_or_else(OnceCell::new, OnceCell::from),
         };
         if bits <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
-            let unit = lines.map(|line| axial(line).map(i128::from));
-            return of(None, Some(Exact::Narrow(solve(&unit))));
+            let solution = solve(&lines.map(axial), i128::from);
+            return of(None, Some(Exact::Narrow(solution)));
         }
         if budget.filters() {
             let s = float_products(lines, budget);
@@ -154,12 +156,12 @@ impl FloatPair {
     /// a, b, c are at most κ² and in error by 3κ², a-b-c at most 3κ² and in error by 9+2+3 = 14κ²;
     /// with m = |a|+|b|+|c| <= 3κ², D <= m² by 24m² (`discriminant_filter`), its root by
     /// 24m²/√D + √D. The adjugate's entries are at most 3κ³ (on the diagonal 2κ³) and in error by
-    /// 20κ³ (10κ³). A coordinate of its product with the directions' x is at most 11κ³ν and in error
-    /// by 70κ³ν from the entries, 11κ³ν from products and 33κ³ν from sums: 114κ³ν. Four products
-    /// with the lines are at most 88κ³ν², and in error by 912 + 88 + 88 + 264 = 1352κ³ν². Adding D
-    /// once (at most 9κ⁴ <= 108κ³ν², in error by 216κ⁴ <= 2592κ³ν²) makes H at most 196κ³ν², in
-    /// error by 4140κ³ν². Minors of two lines are at most 8ν² and in error by 24 + 8 = 32ν²; their
-    /// products at most 64ν⁴, in error by 576ν⁴; six of them at most 384ν⁴, in error by
+    /// 20κ³ (10κ³). A coordinate of its product with the directions' x is at most 11κ³ν and in
+    /// error by 70κ³ν from the entries, 11κ³ν from products and 33κ³ν from sums: 114κ³ν. Four
+    /// products with the lines are at most 88κ³ν², and in error by 912 + 88 + 88 + 264 = 1352κ³ν².
+    /// Adding D once (at most 9κ⁴ <= 108κ³ν², in error by 216κ⁴ <= 2592κ³ν²) makes H at most
+    /// 196κ³ν², in error by 4140κ³ν². Minors of two lines are at most 8ν² and in error by 24 + 8 =
+    /// 32ν²; their products at most 64ν⁴, in error by 576ν⁴; six of them at most 384ν⁴, in error by
     /// 3456 + 1280 = 4736ν⁴: W. So H ± √D·W is at most Λ = 196κ³ν² + 384√D·ν⁴, and in error by
     ///   4140κ³ν² + 4736√D·ν⁴ + (24m²/√D + 2√D)·384ν⁴ + Λ <= 4336κ³ν² + 15104ν⁴·m²/√D,
     /// since √D <= m. The side product with a line of direction at most δ and moment at most 2δ is

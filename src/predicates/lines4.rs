@@ -15,7 +15,8 @@
 use super::budget::{Budget, SIDE_OF_LINES, SIDE_OF_TRANSVERSALS, TRANSVERSAL_COUNT, U};
 use super::counters::{Predicate, Stage, record};
 use super::four_lines::{
-    NARROW_BITS, PAIRS, Products, count_axial, count_big, count_degenerate, is_axial,
+    NARROW_BITS, PAIRS, Products, count_axial, count_big, count_degenerate, has_skew_triple,
+    is_axial,
 };
 use super::lines::float_side;
 use super::ring::{Ring, dot};
@@ -37,9 +38,9 @@ pub enum TransversalCount {
 
 /// How many lines meet all four lines.
 ///
-/// Positive: D, and there are `Two`; negative: `None`. Where D = 0 the transversals coincide (`One`) or there
-/// are infinitely many (`Family`: pencils, reguli and larger families, which
-/// `stab::transversals` tells apart). Lines at infinity count: parallel lines meet.
+/// Positive: D, and there are `Two`; negative: there is `None`. Where D = 0 the transversals
+/// coincide (`One`) or there are infinitely many (`Family`: pencils, reguli and larger families,
+/// which `stab::transversals` tells apart). Lines at infinity count: parallel lines meet.
 ///
 /// 1. Permuting or reversing the lines changes nothing.
 /// 2. Affine maps of space change nothing.
@@ -51,19 +52,27 @@ pub enum TransversalCount {
 /// Source: Teller 1992, section 6.3, for the degenerate cases.
 #[inline]
 pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
-    if budget.bits() <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
-        record(Predicate::TransversalCount, Stage::Fixed);
-        return count_axial(lines);
-    }
     if budget.exact_lines {
         // Written out: the compiler does not unroll it from the table.
         let [k, l, m, n] = lines;
         let (kl, km, kn) = (float_side(k, l), float_side(k, m), float_side(k, n));
         let (lm, ln, mn) = (float_side(l, m), float_side(l, n), float_side(m, n));
         let products = [kl, km, kn, lm, ln, mn];
-        if let Some(sign) = discriminant_filter(&products) {
-            record(Predicate::TransversalCount, Stage::Filter);
-            return count(sign, lines, budget);
+        match discriminant_filter(&products) {
+            Some(Sign::Negative) => {
+                record(Predicate::TransversalCount, Stage::Filter);
+                return TransversalCount::None;
+            }
+            Some(Sign::Positive) => {
+                record(Predicate::TransversalCount, Stage::Filter);
+                return TransversalCount::Two;
+            }
+            // Products are zero only where the true ones are.
+            Some(Sign::Zero) if !has_skew_triple(&products) => {
+                record(Predicate::TransversalCount, Stage::Filter);
+                return TransversalCount::Family;
+            }
+            Some(Sign::Zero) | None => {}
         }
     }
     count_beyond_floats(lines, budget)
@@ -73,6 +82,10 @@ pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount
 /// enough to be inlined.
 #[inline(never)]
 fn count_beyond_floats(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
+    if budget.bits() <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
+        record(Predicate::TransversalCount, Stage::Fixed);
+        return count_axial(lines);
+    }
     let products = PAIRS.map(|[i, j]| side(lines[i], lines[j]));
     if budget.filters()
         && !budget.exact_lines

@@ -68,7 +68,7 @@ pub fn orient2d_big(a: &BigPoint2, b: &BigPoint2, c: &BigPoint2) -> Sign {
 pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
     debug_assert!([a, b, c, d].iter().all(|p| budget.holds(p)), "a point exceeds its budget");
     // On small grids integers are as quick as floats, and exact zeros cost nothing extra.
-    if budget.bits() <= VALUE_IN_I64 {
+    if budget.bits() <= MOSTLY_IN_I64 {
         record(Predicate::Orient3d, Stage::Fixed);
         return orient3d_shortest(a, b, c, d);
     }
@@ -79,17 +79,31 @@ pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget)
     orient3d_long(a, b, c, d, budget)
 }
 
-/// The largest grid on which the value, below 2^(3b+6), is an `i64`.
-const VALUE_IN_I64: u32 = ORIENT3D.largest_grid(64);
+/// The largest grid on which the value is an `i64` as a rule. Up to one bit less it always is one,
+/// being below 2^(3b+6); here only tetrahedra of half the cube's largest may exceed it: with the
+/// edge E = 2^(b+1) of the cube the value is at most 2E³ = 2^64.
+const MOSTLY_IN_I64: u32 = ORIENT3D.largest_grid(64) + 1;
 
 /// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
 const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
 
-/// [`orient3d`] where the value fits 64 bits.
+/// [`orient3d`] where the value fits 64 bits, or nearly always does.
 #[inline(always)]
 fn orient3d_shortest(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
-    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
-    Sign::of(&dot(&cross(&c, &b), &d))
+    let (q, r, s) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
+    let minors = cross(&r, &q);
+    let term = |i: usize| minors[i].checked_mul(s[i]);
+    let value = || term(0)?.checked_add(term(1)?)?.checked_add(term(2)?);
+    match value() {
+        Some(value) => Sign::of(&value),
+        None => orient3d_overflown(a, b, c, d),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn orient3d_overflown(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
+    orient3d_short(a, b, c, d)
 }
 
 /// [`orient3d`] where minors fit 64 bits.
@@ -151,9 +165,6 @@ pub fn orient3d_filter(
 /// The fixed-width stage of [`orient3d`], in the narrowest width that the budget allows.
 #[inline]
 pub fn orient3d_exact(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
-    if budget.bits() <= VALUE_IN_I64 {
-        return orient3d_shortest(a, b, c, d);
-    }
     if budget.bits() <= MINOR_IN_I64 {
         return orient3d_short(a, b, c, d);
     }

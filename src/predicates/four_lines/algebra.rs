@@ -141,25 +141,27 @@ fn signed_minors<T: Ring>(lines: &[Vector<T>; 4], kept: [usize; 5]) -> [T; 5] {
 ///
 /// The plane of a point (x, w) and a line (d, m) is (w·m - x×d)·y = x·m; the meet of n·y = o and
 /// n'·y = o' is (n×n', o'·n - o·n'); a line (d, m) crosses n·y = o in (o·d + n×m, n·d); and two
-/// points (x, w), (x', w') have the line (w·x' - w'·x, x×x').
+/// points (x, w), (x', w') have the line (w·x' - w'·x, x×x'). Only the last step, and its result,
+/// takes `wide` numbers.
 #[inline(always)]
-pub fn through_point_and_in_plane<T: Ring>(
+pub fn through_point_and_in_plane<T: Ring, W: Ring>(
     coplanar: [&Vector<T>; 2],
     others: [&Vector<T>; 2],
-) -> [Vector<T>; 2] {
+    wide: impl Fn(T) -> W + Copy,
+) -> [Vector<W>; 2] {
     let ((x, w), (n, o)) = point_and_plane(coplanar);
     let planes = others.map(|line| {
         let (d, m) = parts(line);
         let normal = difference(&[0, 1, 2].map(|i| m[i].times(&w)), &cross(&x, &d));
-        (normal, dot(&x, &m))
+        (normal.map(wide), wide(dot(&x, &m)))
     });
     let points = others.map(|line| {
         let (d, m) = parts(line);
         let turned = cross(&n, &m);
         let x: [T; 3] = std::array::from_fn(|i| o.times(&d[i]).plus(&turned[i]));
-        (x, dot(&n, &d))
+        (x.map(wide), wide(dot(&n, &d)))
     });
-    let mixed = |u: &T, a: &[T; 3], v: &T, b: &[T; 3]| -> [T; 3] {
+    let mixed = |u: &W, a: &[W; 3], v: &W, b: &[W; 3]| -> [W; 3] {
         std::array::from_fn(|i| u.times(&a[i]).minus(&v.times(&b[i])))
     };
     let [(n, o), (n2, o2)] = &planes;

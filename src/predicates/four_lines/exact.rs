@@ -59,27 +59,35 @@ impl<T> Solution<T> {
     }
 }
 
-/// The transversals, directed and in order.
-pub fn solve<T: Ring>(lines: &[Vector<T>; 4]) -> Solution<T> {
+/// The transversals, directed and in order; `wide` are the numbers that hold them.
+#[inline(always)]
+pub fn solve<T: Ring, W: Ring>(
+    lines: &[Vector<T>; 4],
+    wide: impl Fn(T) -> W + Copy,
+) -> Solution<W> {
     let s = products(lines);
     let opposites = opposite(&s);
+    let degenerate = || {
+        let lines = lines.each_ref().map(|line| line.clone().map(wide));
+        degenerate(&lines, &s.clone().map(wide), &opposites.clone().map(wide))
+    };
     let Some((pair, order)) = coplanar_pair(&s, &opposites) else {
-        return match discriminant(&opposites).sign() {
+        return match discriminant(&opposites.clone().map(wide)).sign() {
             Sign::Negative => Solution::None,
-            Sign::Zero => degenerate(lines, &s, &opposites),
+            Sign::Zero => degenerate(),
             Sign::Positive => Solution::Conjugate,
         };
     };
     let [i, j] = PAIRS[pair].map(|i| &lines[i]);
     let [k, l] = PAIRS[5 - pair].map(|i| &lines[i]);
-    let rational = || through_point_and_in_plane([i, j], [k, l]).map(directed);
+    let rational = || through_point_and_in_plane([i, j], [k, l], wide).map(directed);
     match order {
         Sign::Positive => Solution::Two(rational()),
         Sign::Negative => {
             let [through_point, in_plane] = rational();
             Solution::Two([in_plane, through_point])
         }
-        Sign::Zero => degenerate(lines, &s, &opposites),
+        Sign::Zero => degenerate(),
     }
 }
 
@@ -131,12 +139,7 @@ pub fn count_degenerate(lines: [&Line; 4], bits: u32) -> TransversalCount {
 /// that all four lines meet. If that sum is zero, the fourth line depends on the three, and the
 /// other ruling of their surface meets all.
 fn degenerate<T: Ring>(lines: &[Vector<T>; 4], s: &Products<T>, opposites: &[T; 3]) -> Solution<T> {
-    let skew = |i: usize| {
-        // The other three lines are, each to each.
-        let mut others = (0..6).filter(|&pair| !PAIRS[pair].contains(&i));
-        others.all(|pair| s[pair].sign() != Sign::Zero)
-    };
-    let Some(i) = (0..4).find(|&i| skew(i)) else {
+    let Some(i) = outside_of_skew_triple(s) else {
         return Solution::Family;
     };
     let radical = combination(lines, &adjugate(s, opposites)[i]);
@@ -144,6 +147,21 @@ fn degenerate<T: Ring>(lines: &[Vector<T>; 4], s: &Products<T>, opposites: &[T; 
         Some(_) => Solution::One(directed(radical)),
         None => Solution::Family,
     }
+}
+
+/// Whether some three lines are pairwise skew.
+#[inline(always)]
+pub fn has_skew_triple<T: Ring>(s: &Products<T>) -> bool {
+    outside_of_skew_triple(s).is_some()
+}
+
+/// A line whose removal leaves three that are pairwise skew.
+#[inline(always)]
+fn outside_of_skew_triple<T: Ring>(s: &Products<T>) -> Option<usize> {
+    let skew = s.each_ref().map(|s| s.sign() != Sign::Zero);
+    // The pairs of the other three, as places in `PAIRS`.
+    let others = [[3, 4, 5], [1, 2, 5], [0, 2, 4], [0, 1, 3]];
+    others.iter().position(|&[i, j, k]| skew[i] & skew[j] & skew[k])
 }
 
 /// The line with its first coordinate that is not zero positive.
@@ -160,7 +178,7 @@ pub fn count_big(lines: [BigLine; 4]) -> TransversalCount {
         let ([a, b, c], [d, e, f]) = (line.direction, line.moment);
         [a, b, c, d, e, f]
     });
-    solve(&vectors).count()
+    solve(&vectors, |x| x).count()
 }
 
 /// The transversals of four lines, ready to be passed by others.
@@ -186,7 +204,7 @@ impl Exact {
     /// The transversals of any lines.
     pub fn of_lines(lines: [&Line; 4], bits: u32) -> Exact {
         if bits <= FIXED_BITS {
-            match solve(&lines.map(wide)) {
+            match solve(&lines.map(wide), |x| x) {
                 Solution::Conjugate => {}
                 solution => return Exact::Fixed(Box::new(solution)),
             }
@@ -195,7 +213,7 @@ impl Exact {
     }
 
     fn of_vectors(lines: &[Vector<Int>; 4]) -> Exact {
-        match solve(lines) {
+        match solve(lines, |x| x) {
             Solution::Conjugate => conjugate(lines),
             solution => Exact::Big(Box::new(solution)),
         }
@@ -222,7 +240,7 @@ impl Exact {
     /// How a line passes each transversal; whether they are a family.
     pub fn sides(&self, line: &Line) -> Sides {
         match self {
-            Exact::Narrow(solution) => sides_of(solution, &narrow(line)),
+            Exact::Narrow(solution) => sides_of(solution, &short(line).map(i128::from)),
             Exact::Fixed(solution) => sides_of(solution, &wide(line)),
             Exact::Big(solution) => sides_of(solution, &big(line)),
             Exact::Conjugate(lines) => {
@@ -299,15 +317,24 @@ pub fn axial(line: &Line) -> Vector<i64> {
     [a, b, c, d, e, f]
 }
 
-fn narrow(line: &Line) -> Vector<i128> {
+/// The coordinates of a line through points of up to 2^[`NARROW_BITS`]: the moment's parts have an
+/// exact sum.
+#[inline(always)]
+fn short(line: &Line) -> Vector<i64> {
+    let [a, b, c] = line.paired_direction().map(|[d, _]| d as i64);
+    let [d, e, f] = line.split_moment().map(|[high, low]| (high + low) as i64);
+    [a, b, c, d, e, f]
+}
+
+fn long(line: &Line) -> Vector<i128> {
     let ([a, b, c], [d, e, f]) = (line.direction().map(i128::from), line.moment());
     [a, b, c, d, e, f]
 }
 
 fn wide(line: &Line) -> Vector<Int320> {
-    narrow(line).map(Int320::from)
+    long(line).map(Int320::from)
 }
 
 fn big(line: &Line) -> Vector<Int> {
-    narrow(line).map(Int::from)
+    long(line).map(Int::from)
 }

@@ -59,7 +59,7 @@ fn transversals_of_corner_lines_stay_within_their_ranges() {
                 &[discriminant.clone()],
                 TRANSVERSAL_COUNT.slope * bits + TRANSVERSAL_COUNT.constant,
             );
-            let kind = match solve(&vectors) {
+            let kind = match solve(&vectors, |x| x) {
                 Solution::None => 0,
                 Solution::Family => 1,
                 Solution::One(line) => {
@@ -110,7 +110,7 @@ fn unit_edges_stay_within_their_range() {
         for _ in 0..400 {
             let [a, b, c, d, fifth]: [Line; 5] = corner_lines(bits, true, &mut seed);
             let lines = [a, b, c, d].map(|line| axial(&line).map(Int::from));
-            let solution = match solve(&lines) {
+            let solution = match solve(&lines, |x| x) {
                 Solution::None | Solution::Family => continue,
                 Solution::One(line) => vec![line],
                 Solution::Two(lines) => lines.to_vec(),
