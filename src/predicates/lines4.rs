@@ -58,21 +58,17 @@ pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount
         let (kl, km, kn) = (float_side(k, l), float_side(k, m), float_side(k, n));
         let (lm, ln, mn) = (float_side(l, m), float_side(l, n), float_side(m, n));
         let products = [kl, km, kn, lm, ln, mn];
-        match discriminant_filter(&products) {
-            Some(Sign::Negative) => {
-                record(Predicate::TransversalCount, Stage::Filter);
-                return TransversalCount::None;
-            }
-            Some(Sign::Positive) => {
-                record(Predicate::TransversalCount, Stage::Filter);
-                return TransversalCount::Two;
-            }
-            // Products are zero only where the true ones are.
-            Some(Sign::Zero) if !has_skew_triple(&products) => {
-                record(Predicate::TransversalCount, Stage::Filter);
-                return TransversalCount::Family;
-            }
-            Some(Sign::Zero) | None => {}
+        if let Some(sign) = discriminant_filter(&products)
+            && (sign != Sign::Zero || !has_skew_triple(&products))
+        {
+            record(Predicate::TransversalCount, Stage::Filter);
+            // Constants only, so that no branch has to guess the sign.
+            return match sign {
+                Sign::Negative => TransversalCount::None,
+                // Products are zero only where the true ones are.
+                Sign::Zero => TransversalCount::Family,
+                Sign::Positive => TransversalCount::Two,
+            };
         }
     }
     count_beyond_floats(lines, budget)
