@@ -28,6 +28,7 @@ use super::budget::{Budget, U};
 use super::counters::{Predicate, Stage, record};
 use super::lines::float_side;
 use super::lines4::{TransversalCount, discriminant_filter, side};
+use super::ring::each;
 use crate::geom::Line;
 use crate::num::Sign;
 pub(super) use algebra::{PAIRS, Products};
@@ -171,11 +172,13 @@ impl FloatPair {
     #[inline(always)]
     fn meeting(lines: [&Line; 4], s: &Products<f64>, budget: &Budget) -> Option<FloatPair> {
         let scale = budget.moment_scale;
-        let rows = lines.map(|line| {
-            let [a, b, c] = line.paired_direction().map(|[d, _]| d);
-            let [d, e, f] = line.split_moment().map(|[high, low]| (high + low) * scale);
+        let row = |line: &Line| {
+            let [a, b, c] = each(*line.paired_direction(), |[d, _]| d);
+            let [d, e, f] = each(*line.split_moment(), |[high, low]| (high + low) * scale);
             [a, b, c, d, e, f]
-        });
+        };
+        let [k, l, m, n] = lines;
+        let rows = [row(k), row(l), row(m), row(n)];
         let abc = opposite(s);
         let size = abc[0].abs() + abc[1].abs() + abc[2].abs();
         let d = algebra::discriminant(&abc);
@@ -194,7 +197,7 @@ impl FloatPair {
         let pair = |i: usize| [turn * (h[i] + root * w[i]), turn * (h[i] - root * w[i])];
         Some(FloatPair {
             moment: [pair(3), pair(4), pair(5)],
-            direction: [pair(0), pair(1), pair(2)].map(|pair| pair.map(|x| x * scale)),
+            direction: each([pair(0), pair(1), pair(2)], |[x, y]| [x * scale, y * scale]),
             error,
         })
     }
@@ -205,9 +208,8 @@ impl FloatPair {
         let reach = direction.iter().fold(0.0f64, |reach, [d, _]| reach.max(d.abs()));
         let term = |i: usize| {
             let m = moment[i][0] + moment[i][1];
-            let along = [0, 1].map(|k| self.moment[i][k] * direction[i][k]);
-            let about = [0, 1].map(|k| self.direction[i][k] * m);
-            [along[0] + about[0], along[1] + about[1]]
+            let side = |k: usize| self.moment[i][k] * direction[i][k] + self.direction[i][k] * m;
+            [side(0), side(1)]
         };
         let [x, y, z] = [term(0), term(1), term(2)];
         let [first, second] = [x[0] + y[0] + z[0], x[1] + y[1] + z[1]];

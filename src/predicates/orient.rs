@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, ORIENT2D, ORIENT3D, RESIDUE_BITS};
 use super::counters::{Predicate, Stage, record};
-use super::ring::{Residue, cross, determinant, difference, dot, sign_of_i128};
+use super::ring::{Residue, cross, determinant, difference, dot, each, sign_of_i128};
 use crate::geom::{BigPoint2, BigPoint3, Point2, Point3};
 use crate::num::{Int192, Sign};
 
@@ -110,7 +110,7 @@ fn orient3d_overflown(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
 #[inline(always)]
 fn orient3d_short(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
     let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
-    sign_of_i128(dot(&cross(&c, &b).map(i128::from), &d.map(i128::from)))
+    sign_of_i128(dot(&each(cross(&c, &b), i128::from), &each(d, i128::from)))
 }
 
 /// The difference p - a with its second coordinate mirrored, which swapping b and c makes up for.
@@ -133,9 +133,9 @@ fn orient3d_long(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget
     }
     record(Predicate::Orient3d, Stage::Fixed);
     if budget.filters() && budget.bits() <= RESIDUE_BITS {
-        let residues = [a, b, c, d].map(|p| p.integers().map(Residue));
-        let [a, b, c, d] = &residues;
-        return Sign::of(&determinant(a, b, c, d).0);
+        let residues = |p: &Point3| each(p.integers(), Residue);
+        let (a, b, c, d) = (residues(a), residues(b), residues(c), residues(d));
+        return Sign::of(&determinant(&a, &b, &c, &d).0);
     }
     orient3d_exact(a, b, c, d, budget)
 }
@@ -151,7 +151,7 @@ pub fn orient3d_filter(
 ) -> Option<Sign> {
     // Integer differences are exact where float ones might not be, and round once.
     let origin = a.integers();
-    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin).map(|x| x as f64));
+    let [b, c, d] = each([b, c, d], |p| each(difference(&p.integers(), &origin), |x| x as f64));
     let value = determinant(&[0.0; 3], &b, &c, &d);
     if value > budget.orient3d_error {
         Some(Sign::Positive)
@@ -169,7 +169,7 @@ pub fn orient3d_exact(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &B
         return orient3d_short(a, b, c, d);
     }
     let origin = a.integers();
-    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin).map(i128::from));
+    let [b, c, d] = each([b, c, d], |p| each(difference(&p.integers(), &origin), i128::from));
     if budget.bits() <= ORIENT3D.largest_grid(128) {
         return sign_of_i128(determinant(&[0; 3], &b, &c, &d));
     }

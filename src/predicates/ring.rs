@@ -77,10 +77,16 @@ impl Ring for Residue {
     }
 }
 
+/// `array::map`, but always inlined: where many callers share the library's, it may not be.
+#[inline(always)]
+pub(super) fn each<T, U>([x, y, z]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
+    [f(x), f(y), f(z)]
+}
+
 /// a - b.
 #[inline(always)]
 pub(super) fn difference<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
-    std::array::from_fn(|i| a[i].minus(&b[i]))
+    [a[0].minus(&b[0]), a[1].minus(&b[1]), a[2].minus(&b[2])]
 }
 
 /// a x b.
