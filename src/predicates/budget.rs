@@ -64,8 +64,27 @@ pub const COMPARE_ALONG_LINE: Range =
 pub const COMPARE_CROSSINGS: Range =
     Range { predicate: "compare_crossings", degree: 6, slope: 6, constant: 13 };
 
+/// With S = 2^(3b+4.6) for side products, a, b and c are below S² = 2^(6b+9.2), a-b-c below
+/// 2^(6b+10.8), its square below 2^(12b+21.6), 4bc below 2^(12b+20.4), and D below 2^(12b+22.1).
+pub const TRANSVERSAL_COUNT: Range =
+    Range { predicate: "transversal_count", degree: 12, slope: 12, constant: 23 };
+
+/// 44 products of five side products: 2^(15b+23) · 2^5.5.
+pub const SIDE_OF_TRANSVERSALS: Range =
+    Range { predicate: "side_of_transversals", degree: 15, slope: 15, constant: 29 };
+
+/// α² - β²D for the side α + β√D of a line H + √D·W (`four_lines::algebra`), with f at infinity:
+/// where all such f gave nothing, both transversals would be at infinity, so meet, and D = 0.
+/// The adjugate of S is below 3S³ = 2^(9b+15.4); four products of it and a direction 2^(10b+18.4);
+/// with four lines that is 2^(11b+21.4) for the direction of H, 2^(12b+21.4) for its moment and
+/// D more, 2^(12b+22.8); α is below 2^(13b+25.9) and α² below 2^(26b+51.8). With M = 2C², minors
+/// of four lines are below 24D³M = 2^(5b+8.6) and 24D²M² = 2^(6b+8.6), β below 2^(7b+12.2), and
+/// β²D below 2^(26b+46.5).
+pub const SIDES_OF_EACH: Range =
+    Range { predicate: "sides_of_each", degree: 26, slope: 26, constant: 53 };
+
 /// All of them, in the order of the table in `docs/predicates.md`.
-pub const RANGES: [Range; 8] = [
+pub const RANGES: [Range; 11] = [
     ORIENT2D,
     ORIENT3D,
     SIDE_OF_PLANE,
@@ -74,6 +93,9 @@ pub const RANGES: [Range; 8] = [
     VERTEX_SIDE_OF_PLANE,
     COMPARE_ALONG_LINE,
     COMPARE_CROSSINGS,
+    TRANSVERSAL_COUNT,
+    SIDE_OF_TRANSVERSALS,
+    SIDES_OF_EACH,
 ];
 
 /// 2^-53: the relative error of one float operation.
@@ -94,6 +116,8 @@ pub struct Budget {
     pub(super) exact_lines: bool,
     /// The error of `side_of_lines`' float stage beyond [`SPLIT_BITS`].
     pub(super) side_of_lines_error: f64,
+    /// 2^-bits, which brings moments to the size of directions.
+    pub(super) moment_scale: f64,
 }
 
 impl Budget {
@@ -111,6 +135,7 @@ impl Budget {
             orient3d_error: orient3d_error(difference),
             exact_lines: bits <= SPLIT_BITS,
             side_of_lines_error: side_of_lines_error(difference, coordinate),
+            moment_scale: 1.0 / coordinate,
         }
     }
 

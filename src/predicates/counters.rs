@@ -31,13 +31,14 @@ pub enum Predicate {
     CompareCrossings,
     TransversalCount,
     SideOfTransversals,
+    SidesOfEach,
 }
 
 /// How often each stage (filter, fixed, big) of each predicate answered.
-pub type Counts = [[u64; 3]; 10];
+pub type Counts = [[u64; 3]; 11];
 
 #[cfg(feature = "counters")]
-static COUNTS: [[AtomicU64; 3]; 10] = [const { [const { AtomicU64::new(0) }; 3] }; 10];
+static COUNTS: [[AtomicU64; 3]; 11] = [const { [const { AtomicU64::new(0) }; 3] }; 11];
 
 /// Counts one answer.
 #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, RESIDUE_BITS, SIDE_OF_LINES, SPLIT_BITS};
 use super::counters::{Predicate, Stage, record};
-use super::ring::{Residue, Ring, dot, sign_of_i128};
+use super::ring::{Residue, Ring, dot, each, sign_of_i128};
 use crate::geom::{BigLine, Line};
 use crate::num::Sign;
 
@@ -53,7 +53,8 @@ fn side_beyond_floats(x: &Line, y: &Line, budget: &Budget) -> Sign {
     }
     record(Predicate::SideOfLines, Stage::Fixed);
     if budget.bits() <= RESIDUE_BITS {
-        let [d, e] = [x, y].map(|line| line.paired_direction().map(|[d, _]| residue(d)));
+        let residues = |line: &Line| each(*line.paired_direction(), |[d, _]| residue(d));
+        let (d, e) = (residues(x), residues(y));
         let (m, n) = (moment_residues(x), moment_residues(y));
         return Sign::of(&dot(&d, &n).0.wrapping_add(dot(&m, &e).0));
     }
@@ -72,8 +73,9 @@ fn residue(x: f64) -> Residue {
 #[inline(always)]
 fn moment_residues(line: &Line) -> [Residue; 3] {
     let step = Line::SPLIT as f64;
-    line.split_moment()
-        .map(|[high, low]| residue(high / step).times(&Residue(Line::SPLIT)).plus(&residue(low)))
+    each(*line.split_moment(), |[high, low]| {
+        residue(high / step).times(&Residue(Line::SPLIT)).plus(&residue(low))
+    })
 }
 
 /// S_h + S_l, as `budget` names them.

@@ -8,25 +8,20 @@
 //! of its sides of both transversals and of their side of each other (Hohmeyer and Teller 1999
 //! compute the lines themselves; the determinants are classical).
 //!
-//! If two of the lines are coplanar, as in architecture two of any four edges are, D is a square:
-//! that branch compares two products and needs neither a filter nor wide integers.
+//! If two of the lines are coplanar, D is a square: that branch compares two products and needs no
+//! wide integers. In architecture two of any four edges are parallel, and scaled to unit directions
+//! they need no filter either.
 
-use super::budget::{Budget, Range, SIDE_OF_LINES, U};
+use super::budget::{Budget, SIDE_OF_LINES, SIDE_OF_TRANSVERSALS, TRANSVERSAL_COUNT, U};
 use super::counters::{Predicate, Stage, record};
+use super::four_lines::{
+    NARROW_BITS, PAIRS, Products, count_axial, count_big, count_degenerate, has_skew_triple,
+    is_axial,
+};
 use super::lines::float_side;
 use super::ring::{Ring, dot};
 use crate::geom::{BigLine, Line};
 use crate::num::{Int, Int256, Int320, Int512, Sign, Wide};
-use num_traits::Zero;
-
-/// With S = 2^(3b+4.6) for side products, a, b and c are below S² = 2^(6b+9.2), a-b-c below
-/// 2^(6b+10.8), its square below 2^(12b+21.6), 4bc below 2^(12b+20.4), and D below 2^(12b+22.1).
-pub const TRANSVERSAL_COUNT: Range =
-    Range { predicate: "transversal_count", degree: 12, slope: 12, constant: 23 };
-
-/// 44 products of five side products: 2^(15b+23) · 2^5.5.
-pub const SIDE_OF_TRANSVERSALS: Range =
-    Range { predicate: "side_of_transversals", degree: 15, slope: 15, constant: 29 };
 
 /// How many lines meet four given lines, those at infinity included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,17 +36,11 @@ pub enum TransversalCount {
     Family,
 }
 
-/// S12, S13, S14, S23, S24, S34.
-type Products<T> = [T; 6];
-
-/// The two lines of each product, in that order.
-const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-
 /// How many lines meet all four lines.
 ///
-/// `Two` where D > 0, `None` where D < 0. Where D = 0 the transversals coincide (`One`) or there
-/// are infinitely many (`Family`: pencils, reguli and larger families, which
-/// `stab::transversals` tells apart). Lines at infinity count: parallel lines meet.
+/// Positive: D, and there are `Two`; negative: there is `None`. Where D = 0 the transversals
+/// coincide (`One`) or there are infinitely many (`Family`: pencils, reguli and larger families,
+/// which `stab::transversals` tells apart). Lines at infinity count: parallel lines meet.
 ///
 /// 1. Permuting or reversing the lines changes nothing.
 /// 2. Affine maps of space change nothing.
@@ -69,9 +58,17 @@ pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount
         let (kl, km, kn) = (float_side(k, l), float_side(k, m), float_side(k, n));
         let (lm, ln, mn) = (float_side(l, m), float_side(l, n), float_side(m, n));
         let products = [kl, km, kn, lm, ln, mn];
-        if let Some(sign) = discriminant_filter(&products) {
+        if let Some(sign) = discriminant_filter(&products)
+            && (sign != Sign::Zero || !has_skew_triple(&products))
+        {
             record(Predicate::TransversalCount, Stage::Filter);
-            return count(sign, &products, lines);
+            // Constants only, so that no branch has to guess the sign.
+            return match sign {
+                Sign::Negative => TransversalCount::None,
+                // Products are zero only where the true ones are.
+                Sign::Zero => TransversalCount::Family,
+                Sign::Positive => TransversalCount::Two,
+            };
         }
     }
     count_beyond_floats(lines, budget)
@@ -81,16 +78,20 @@ pub fn transversal_count(lines: [&Line; 4], budget: &Budget) -> TransversalCount
 /// enough to be inlined.
 #[inline(never)]
 fn count_beyond_floats(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
+    if budget.bits() <= NARROW_BITS && lines.iter().all(|line| is_axial(line)) {
+        record(Predicate::TransversalCount, Stage::Fixed);
+        return count_axial(lines);
+    }
     let products = PAIRS.map(|[i, j]| side(lines[i], lines[j]));
     if budget.filters()
         && !budget.exact_lines
         && let Some(sign) = discriminant_filter(&products.map(|s| s as f64))
     {
         record(Predicate::TransversalCount, Stage::Filter);
-        return count(sign, &products, lines);
+        return count(sign, lines, budget);
     }
     record(Predicate::TransversalCount, Stage::Fixed);
-    count(discriminant_exact(&products, budget), &products, lines)
+    count(discriminant_exact(&products, budget), lines, budget)
 }
 
 /// The float stage of [`transversal_count`]: the sign of D if it is sure.
@@ -102,7 +103,7 @@ fn count_beyond_floats(lines: [&Line; 4], budget: &Budget) -> TransversalCount {
 /// and 24 with the higher orders and the rounding of m. On the largest grid D is below 2^480; and
 /// m = 0 only where a, b and c are zero, and D with them.
 #[inline(always)]
-fn discriminant_filter(s: &Products<f64>) -> Option<Sign> {
+pub(super) fn discriminant_filter(s: &Products<f64>) -> Option<Sign> {
     let (a, b, c) = (s[0] * s[5], s[1] * s[4], s[2] * s[3]);
     let m = a.abs() + b.abs() + c.abs();
     let value = (a - b - c) * (a - b - c) - 4.0 * b * c;
@@ -137,89 +138,26 @@ fn discriminant_exact(s: &Products<i128>, budget: &Budget) -> Sign {
 }
 
 #[inline(always)]
-fn count<T: Zero>(
-    discriminant: Sign,
-    products: &Products<T>,
-    lines: [&Line; 4],
-) -> TransversalCount {
+fn count(discriminant: Sign, lines: [&Line; 4], budget: &Budget) -> TransversalCount {
     match discriminant {
         Sign::Negative => TransversalCount::None,
         Sign::Positive => TransversalCount::Two,
         // Degenerate: one line touched twice, or infinitely many.
-        Sign::Zero => degenerate(products, lines),
-    }
-}
-
-/// The count where D = 0.
-#[inline(never)]
-fn degenerate<T: Zero>(products: &Products<T>, lines: [&Line; 4]) -> TransversalCount {
-    match skew_triple(products) {
-        None => TransversalCount::Family,
-        Some(triple) => double_or_regulus(triple, &lines.map(|&line| BigLine::from(line))),
+        Sign::Zero => count_degenerate(lines, budget.bits()),
     }
 }
 
 /// [`transversal_count`] on unbounded coordinates.
 pub fn transversal_count_big(lines: [BigLine; 4]) -> TransversalCount {
     record(Predicate::TransversalCount, Stage::Big);
-    let s = PAIRS.map(|[i, j]| lines[i].side_product(&lines[j]));
-    let [a, b, c] = [[0, 5], [1, 4], [2, 3]].map(|[i, j]: [usize; 2]| &s[i] * &s[j]);
-    let difference = a - &b - &c;
-    match Sign::of(&(&difference * &difference - b * c * 4)) {
-        Sign::Negative => TransversalCount::None,
-        Sign::Positive => TransversalCount::Two,
-        // As above.
-        Sign::Zero => match skew_triple(&s) {
-            None => TransversalCount::Family,
-            Some(triple) => double_or_regulus(triple, &lines),
-        },
-    }
-}
-
-/// Three of the lines, pairwise skew, and the fourth. A symmetric matrix has rank three or more iff
-/// some principal 3x3 minor is not zero, and those of the Gram matrix are 2·S_ij·S_ik·S_jk. With D
-/// = 0 and no such triple the rank is at most two: T has a radical of dimension two, on which the
-/// quadric vanishes, and there are infinitely many transversals.
-fn skew_triple<T: Zero>(products: &Products<T>) -> Option<[usize; 4]> {
-    let skew = |i: usize, j: usize| {
-        let index = PAIRS.iter().position(|pair| *pair == [i.min(j), i.max(j)]);
-        index.is_some_and(|index| !products[index].is_zero())
-    };
-    let orders = [[0, 1, 2, 3], [0, 1, 3, 2], [0, 2, 3, 1], [1, 2, 3, 0]];
-    orders.into_iter().find(|&[i, j, k, _]| skew(i, j) && skew(i, k) && skew(j, k))
-}
-
-/// Where D = 0: whether the fourth line depends on three pairwise skew ones (then it is on their
-/// surface, and the surface's other ruling meets all four) or not (one transversal).
-fn double_or_regulus([i, j, k, l]: [usize; 4], lines: &[BigLine; 4]) -> TransversalCount {
-    let side = |x: usize, y: usize| lines[x].side_product(&lines[y]);
-    let (p, q, r) = (side(i, j), side(i, k), side(j, k));
-    let s = [i, j, k].map(|x| side(x, l));
-    // The adjugate of [[0,p,q], [p,0,r], [q,r,0]], whose determinant is 2pqr, applied to the sides
-    // of the fourth line: its coordinates in the three, if it has any.
-    let (pq, pr, qr) = (&p * &q, &p * &r, &q * &r);
-    let coordinates = [
-        &qr * &s[1] + &pr * &s[2] - &r * &r * &s[0],
-        &qr * &s[0] + &pq * &s[2] - &q * &q * &s[1],
-        &pr * &s[0] + &pq * &s[1] - &p * &p * &s[2],
-    ];
-    let determinant: Int = p * qr * 2;
-    let depends = (0..6).all(|index| {
-        let part = |line: usize| match index {
-            0..3 => &lines[line].direction[index],
-            _ => &lines[line].moment[index - 3],
-        };
-        let sum: Int = [i, j, k].iter().zip(&coordinates).map(|(&x, c)| c * part(x)).sum();
-        sum == &determinant * part(l)
-    });
-    if depends { TransversalCount::Family } else { TransversalCount::One }
+    count_big(lines)
 }
 
 /// How a fifth line passes both lines that meet four lines.
 ///
-/// For four lines with two transversals L and M: the sign of
-/// side(L, e)·side(M, e)·side(L, M), which does not depend on how L and M are directed. `Zero`: the
-/// fifth line meets a transversal (or all five meet one line, or the four are degenerate).
+/// Positive: for four lines with two transversals L and M, side(L, e)·side(M, e)·side(L, M) is,
+/// which does not depend on how L and M are directed; zero: the fifth line meets a transversal (or
+/// all five meet one line, or the four are degenerate).
 ///
 /// 1. Permuting the four lines, and in fact all five, changes nothing; nor does reversing one.
 /// 2. Motions keep the sign, mirroring changes it.
@@ -341,7 +279,7 @@ fn gram<T: Clone>(side: impl Fn(usize, usize) -> T) -> [[T; 5]; 5] {
 }
 
 /// The side product of two lines, which hold up to 38 bits.
-fn side(x: &Line, y: &Line) -> i128 {
+pub(super) fn side(x: &Line, y: &Line) -> i128 {
     const { assert!(SIDE_OF_LINES.largest_grid(128) >= 38) }
     const { assert!(TRANSVERSAL_COUNT.largest_grid(512) >= 38) }
     let (d, e) = (x.direction().map(i128::from), y.direction().map(i128::from));

@@ -23,6 +23,7 @@ mod along;
 mod budget;
 pub mod counters;
 pub mod filtered;
+mod four_lines;
 pub mod gordan;
 mod lines;
 mod lines4;
@@ -38,10 +39,11 @@ pub use along::{
     compare_crossings_big, compare_crossings_exact,
 };
 pub use budget::{Budget, RANGES, Range};
+pub use four_lines::{FourLines, Sides};
 pub use lines::{side_of_lines, side_of_lines_big, side_of_lines_exact, side_of_lines_filter};
 pub use lines4::{
-    SIDE_OF_TRANSVERSALS, TRANSVERSAL_COUNT, TransversalCount, side_of_transversals,
-    side_of_transversals_big, transversal_count, transversal_count_big,
+    TransversalCount, side_of_transversals, side_of_transversals_big, transversal_count,
+    transversal_count_big,
 };
 pub use meets::{side_of_meets, side_of_meets_big, side_of_meets_exact, side_of_meets_filter};
 pub use orient::{

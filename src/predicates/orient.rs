@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, ORIENT2D, ORIENT3D, RESIDUE_BITS};
 use super::counters::{Predicate, Stage, record};
-use super::ring::{Residue, cross, determinant, difference, dot, sign_of_i128};
+use super::ring::{Residue, cross, determinant, difference, dot, each, sign_of_i128};
 use crate::geom::{BigPoint2, BigPoint3, Point2, Point3};
 use crate::num::{Int192, Sign};
 
@@ -68,7 +68,7 @@ pub fn orient2d_big(a: &BigPoint2, b: &BigPoint2, c: &BigPoint2) -> Sign {
 pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
     debug_assert!([a, b, c, d].iter().all(|p| budget.holds(p)), "a point exceeds its budget");
     // On small grids integers are as quick as floats, and exact zeros cost nothing extra.
-    if budget.bits() <= VALUE_IN_I64 {
+    if budget.bits() <= MOSTLY_IN_I64 {
         record(Predicate::Orient3d, Stage::Fixed);
         return orient3d_shortest(a, b, c, d);
     }
@@ -79,24 +79,38 @@ pub fn orient3d(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget)
     orient3d_long(a, b, c, d, budget)
 }
 
-/// The largest grid on which the value, below 2^(3b+6), is an `i64`.
-const VALUE_IN_I64: u32 = ORIENT3D.largest_grid(64);
+/// The largest grid on which the value is an `i64` as a rule. Up to one bit less it always is one,
+/// being below 2^(3b+6); here only tetrahedra of half the cube's largest may exceed it: with the
+/// edge E = 2^(b+1) of the cube the value is at most 2E³ = 2^64.
+const MOSTLY_IN_I64: u32 = ORIENT3D.largest_grid(64) + 1;
 
 /// The largest grid on which a minor of differences, below 2^(2b+3), is an `i64`.
 const MINOR_IN_I64: u32 = ORIENT2D.largest_grid(64);
 
-/// [`orient3d`] where the value fits 64 bits.
+/// [`orient3d`] where the value fits 64 bits, or nearly always does.
 #[inline(always)]
 fn orient3d_shortest(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
-    let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
-    Sign::of(&dot(&cross(&c, &b), &d))
+    let (q, r, s) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
+    let minors = cross(&r, &q);
+    let term = |i: usize| minors[i].checked_mul(s[i]);
+    let value = || term(0)?.checked_add(term(1)?)?.checked_add(term(2)?);
+    match value() {
+        Some(value) => Sign::of(&value),
+        None => orient3d_overflown(a, b, c, d),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn orient3d_overflown(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
+    orient3d_short(a, b, c, d)
 }
 
 /// [`orient3d`] where minors fit 64 bits.
 #[inline(always)]
 fn orient3d_short(a: &Point3, b: &Point3, c: &Point3, d: &Point3) -> Sign {
     let (b, c, d) = (mirrored(a, b), mirrored(a, c), mirrored(a, d));
-    sign_of_i128(dot(&cross(&c, &b).map(i128::from), &d.map(i128::from)))
+    sign_of_i128(dot(&each(cross(&c, &b), i128::from), &each(d, i128::from)))
 }
 
 /// The difference p - a with its second coordinate mirrored, which swapping b and c makes up for.
@@ -119,9 +133,9 @@ fn orient3d_long(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget
     }
     record(Predicate::Orient3d, Stage::Fixed);
     if budget.filters() && budget.bits() <= RESIDUE_BITS {
-        let residues = [a, b, c, d].map(|p| p.integers().map(Residue));
-        let [a, b, c, d] = &residues;
-        return Sign::of(&determinant(a, b, c, d).0);
+        let residues = |p: &Point3| each(p.integers(), Residue);
+        let (a, b, c, d) = (residues(a), residues(b), residues(c), residues(d));
+        return Sign::of(&determinant(&a, &b, &c, &d).0);
     }
     orient3d_exact(a, b, c, d, budget)
 }
@@ -137,7 +151,7 @@ pub fn orient3d_filter(
 ) -> Option<Sign> {
     // Integer differences are exact where float ones might not be, and round once.
     let origin = a.integers();
-    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin).map(|x| x as f64));
+    let [b, c, d] = each([b, c, d], |p| each(difference(&p.integers(), &origin), |x| x as f64));
     let value = determinant(&[0.0; 3], &b, &c, &d);
     if value > budget.orient3d_error {
         Some(Sign::Positive)
@@ -151,14 +165,11 @@ pub fn orient3d_filter(
 /// The fixed-width stage of [`orient3d`], in the narrowest width that the budget allows.
 #[inline]
 pub fn orient3d_exact(a: &Point3, b: &Point3, c: &Point3, d: &Point3, budget: &Budget) -> Sign {
-    if budget.bits() <= VALUE_IN_I64 {
-        return orient3d_shortest(a, b, c, d);
-    }
     if budget.bits() <= MINOR_IN_I64 {
         return orient3d_short(a, b, c, d);
     }
     let origin = a.integers();
-    let [b, c, d] = [b, c, d].map(|p| difference(&p.integers(), &origin).map(i128::from));
+    let [b, c, d] = each([b, c, d], |p| each(difference(&p.integers(), &origin), i128::from));
     if budget.bits() <= ORIENT3D.largest_grid(128) {
         return sign_of_i128(determinant(&[0; 3], &b, &c, &d));
     }

@@ -1,12 +1,13 @@
 //! The formulas of the predicates, written once for every kind of number.
 
-use crate::num::Int;
+use crate::num::{Int, Int320, Sign};
 
 /// A number that adds, subtracts and multiplies. The only generic over numbers of this crate.
-pub(super) trait Ring: Sized {
+pub(super) trait Ring: Clone {
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;
     fn times(&self, other: &Self) -> Self;
+    fn sign(&self) -> Sign;
 }
 
 macro_rules! ring {
@@ -24,11 +25,34 @@ macro_rules! ring {
             fn times(&self, other: &Self) -> Self {
                 self * other
             }
+            #[inline(always)]
+            fn sign(&self) -> Sign {
+                Sign::of(self)
+            }
         }
     )*};
 }
 
 ring!(f64, i64, i128, Int);
+
+impl Ring for Int320 {
+    #[inline(always)]
+    fn plus(&self, other: &Self) -> Self {
+        *self + *other
+    }
+    #[inline(always)]
+    fn minus(&self, other: &Self) -> Self {
+        *self - *other
+    }
+    #[inline(always)]
+    fn times(&self, other: &Self) -> Self {
+        Int320::times(self, other)
+    }
+    #[inline(always)]
+    fn sign(&self) -> Sign {
+        Int320::sign(self)
+    }
+}
 
 /// A number modulo 2^64: right as an integer wherever the true value fits.
 #[derive(Clone, Copy)]
@@ -47,12 +71,22 @@ impl Ring for Residue {
     fn times(&self, other: &Self) -> Self {
         Residue(self.0.wrapping_mul(other.0))
     }
+    #[inline(always)]
+    fn sign(&self) -> Sign {
+        Sign::of(&self.0)
+    }
+}
+
+/// `array::map`, but always inlined: where many callers share the library's, it may not be.
+#[inline(always)]
+pub(super) fn each<T, U>([x, y, z]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
+    [f(x), f(y), f(z)]
 }
 
 /// a - b.
 #[inline(always)]
 pub(super) fn difference<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
-    std::array::from_fn(|i| a[i].minus(&b[i]))
+    [a[0].minus(&b[0]), a[1].minus(&b[1]), a[2].minus(&b[2])]
 }
 
 /// a x b.
@@ -76,6 +110,6 @@ pub(super) fn determinant<T: Ring>(a: &[T; 3], b: &[T; 3], c: &[T; 3], d: &[T; 3
 
 /// The sign of an `i128`, without a branch: its upper half, and whether the lower is zero.
 #[inline(always)]
-pub(super) fn sign_of_i128(value: i128) -> crate::num::Sign {
-    crate::num::Sign::of(&((value >> 64) as i64 | i64::from(value as u64 != 0)))
+pub(super) fn sign_of_i128(value: i128) -> Sign {
+    Sign::of(&((value >> 64) as i64 | i64::from(value as u64 != 0)))
 }
