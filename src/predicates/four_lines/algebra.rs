@@ -97,7 +97,8 @@ pub fn conjugates<T: Ring>(
     let kept: [usize; 5] = std::array::from_fn(|k| if k < column { k } else { k + 1 });
     let mut perpendicular = std::array::from_fn(|_| zero());
     for (minor, k) in signed_minors(lines, kept).into_iter().zip(kept) {
-        perpendicular[(k + 3) % 6] = if column.is_multiple_of(2) { minor } else { zero().minus(&minor) };
+        perpendicular[(k + 3) % 6] =
+            if column.is_multiple_of(2) { minor } else { zero().minus(&minor) };
     }
     [projected, perpendicular]
 }

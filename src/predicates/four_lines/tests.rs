@@ -56,7 +56,7 @@ fn transversals_of_corner_lines_stay_within_their_ranges() {
             let abc = opposite(&s);
             let discriminant = algebra::discriminant(&abc);
             below(
-                &[discriminant.clone()],
+                std::slice::from_ref(&discriminant),
                 TRANSVERSAL_COUNT.slope * bits + TRANSVERSAL_COUNT.constant,
             );
             let kind = match solve(&vectors, |x| x) {
