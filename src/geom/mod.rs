@@ -7,4 +7,4 @@ mod point;
 
 pub use line::{BigLine, Line};
 pub use plane::{BigPlane, Plane};
-pub use point::{BigPoint2, BigPoint3, Point2, Point3};
+pub use point::{BigPoint2, BigPoint3, Point2, Point3, RationalPoint3};

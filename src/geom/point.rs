@@ -6,6 +6,7 @@
 //! integers at once (`docs/predicates.md` says why: a float stage does not pay there).
 
 use crate::num::Int;
+use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 /// The largest magnitude of a coordinate of [`Point2`] and [`Point3`]: every integer up to here
@@ -82,6 +83,48 @@ pub struct BigPoint3 {
     pub coordinates: [Int; 3],
 }
 
+/// A point of space with rational coordinates, in lowest terms over one denominator: equal points
+/// are equal values.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RationalPoint3 {
+    numerators: [Int; 3],
+    denominator: Int,
+}
+
+impl RationalPoint3 {
+    /// The point `numerators / denominator`.
+    ///
+    /// # Panics
+    /// If the denominator is zero.
+    pub fn new(numerators: [Int; 3], denominator: Int) -> RationalPoint3 {
+        assert!(denominator != Int::ZERO, "a point at infinity");
+        let mut divisor = numerators.iter().fold(denominator.clone(), |g, c| g.gcd(c));
+        if denominator < Int::ZERO {
+            divisor = -divisor;
+        }
+        RationalPoint3 {
+            numerators: numerators.map(|c| c / &divisor),
+            denominator: denominator / &divisor,
+        }
+    }
+
+    /// Of x, y and z, over [`RationalPoint3::denominator`].
+    pub fn numerators(&self) -> &[Int; 3] {
+        &self.numerators
+    }
+
+    /// The least positive common denominator of x, y and z.
+    pub fn denominator(&self) -> &Int {
+        &self.denominator
+    }
+}
+
+impl From<BigPoint3> for RationalPoint3 {
+    fn from(point: BigPoint3) -> RationalPoint3 {
+        RationalPoint3 { numerators: point.coordinates, denominator: Int::from(1) }
+    }
+}
+
 impl BigPoint2 {
     /// The same point with small coordinates, where they fit.
     pub fn to_small(&self) -> Option<Point2> {
@@ -113,6 +156,14 @@ impl From<Point3> for BigPoint3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rational_points_are_in_lowest_terms() {
+        let point = |n: [i64; 3], d: i64| RationalPoint3::new(n.map(Int::from), Int::from(d));
+        assert_eq!(point([2, -4, 6], -2), point([-1, 2, -3], 1));
+        assert_eq!(point([3, 0, 1], 6).denominator(), &Int::from(6));
+        assert_eq!(point([0, 0, 0], -7).denominator(), &Int::from(1));
+    }
 
     #[test]
     fn points_hold_every_integer_up_to_the_limit() {
