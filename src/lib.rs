@@ -2,6 +2,7 @@
 
 pub mod audit;
 pub mod cli;
+pub mod eye;
 pub mod formats;
 pub mod geom;
 pub mod num;

@@ -13,9 +13,10 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("scene", &["num", "geom", "predicates", "stab", "formats"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
+    ("eye", &["num", "geom", "predicates", "scene", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
-    ("cli", &["num", "geom", "formats", "stab", "scene", "report", "pvs", "audit"]),
+    ("cli", &["num", "geom", "formats", "stab", "scene", "report", "pvs", "eye", "audit"]),
 ];
 
 /// What the file imports against the table.
