@@ -2,8 +2,8 @@
 //!
 //! The axes are `look` and `up`; they need not be normalised nor at right angles. With
 //! r = look x up and u = r x look, a direction v is inside iff
-//! |v·r| < (H·|r|/|look|)·(v·look) and |v·u| < (V·|r|)·(v·look), where H and V are the half-tangents,
-//! the tangents of half the angles of view (Teller 1992, section 5.4.1). The two factors in
+//! |v·r| < (H·|r|/|look|)·(v·look) and |v·u| < (V·|r|)·(v·look); the half-tangents H and V are the
+//! tangents of half the angles of view (Teller 1992, section 5.4.1). The two factors in
 //! brackets are roots of rationals. Where a root is rational it is taken exactly, otherwise
 //! rounded up within a factor of 1 + 2^-32: the frustum then holds the true one.
 

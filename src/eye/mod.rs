@@ -2,9 +2,9 @@
 //!
 //! - *Eye-to-cell*: the cells into which some direction from the eye leads through the portals of a
 //!   sequence, strictly inside each of them and strictly inside the frustum, if there is one.
-//! - *Eye-to-region*: the part of each such sequence's last portal that is seen, as a convex polygon
-//!   with rational vertices. A portal graph does not say where else a cell ends, so that part is
-//!   all that can be said of the region behind.
+//! - *Eye-to-region*: the part of each such sequence's last portal that is seen, as a convex
+//!   polygon with rational vertices. A portal graph does not say where else a cell ends, so that
+//!   part is all that can be said of the region behind.
 //!
 //! The method is Teller's (Visibility computations in densely occluded polyhedral environments,
 //! 1992, section 8.4): a depth-first search over portal sequences, each portal's edges spanning
