@@ -61,6 +61,9 @@ fn feasible(planes: &[Point]) -> bool {
     planes.iter().all(|n| dot(n, &sum).is_positive())
 }
 
+/// A map of space.
+type Move = fn(&Point) -> Point;
+
 /// The twin: the polygons of a graph, an eye, and the planes of a frustum.
 struct Twin<'a> {
     graph: &'a PortalGraph,
@@ -373,7 +376,7 @@ fn moving_scaling_and_mirroring_change_no_answer() {
         if query.frustum.is_some() {
             return;
         }
-        let maps: [(bool, fn(&Point) -> Point); 2] = [
+        let maps: [(bool, Move); 2] = [
             (false, |p| {
                 [0, 1, 2].map(|i| &p[i] * Rational::new(7.into(), 3.into()) + integer(i as i64 - 5))
             }),

@@ -1,4 +1,5 @@
-//! Eyes in a real level, where the shared maps are at hand: the culls never miss a cell. Prints how many queries a second each cull answers.
+//! Eyes in a real level, where the shared maps are at hand: the culls never miss a cell. Prints how
+//! many queries a second each cull answers.
 
 mod support;
 
