@@ -33,6 +33,7 @@ mod plane;
 mod ring;
 #[cfg(test)]
 mod tests;
+mod vertex;
 
 pub use along::{
     compare_along_line, compare_along_line_big, compare_along_line_exact, compare_crossings,
@@ -52,4 +53,8 @@ pub use orient::{
 pub use plane::{
     side_of_plane, side_of_plane_big, side_of_plane_exact, vertex_side_of_plane,
     vertex_side_of_plane_big, vertex_side_of_plane_exact,
+};
+pub use vertex::{
+    Vertex, VertexPlane, side_of_point, side_of_vertex, side_of_vertex_big, side_of_vertex_exact,
+    side_of_vertex_filter,
 };
