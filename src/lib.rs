@@ -3,6 +3,7 @@
 pub mod audit;
 pub mod cli;
 pub mod construct;
+pub mod csg;
 pub mod formats;
 pub mod geom;
 pub mod num;

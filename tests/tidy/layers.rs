@@ -14,11 +14,28 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("scene", &["num", "geom", "predicates", "stab", "formats"]),
     ("subdivision", &["num", "geom", "predicates", "construct"]),
     ("portal", &["num", "geom", "construct", "subdivision"]),
+    ("csg", &["num", "geom", "construct"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
-    ("cli", &["num", "geom", "formats", "stab", "scene", "report", "pvs", "audit"]),
+    (
+        "cli",
+        &[
+            "num",
+            "geom",
+            "formats",
+            "construct",
+            "stab",
+            "scene",
+            "subdivision",
+            "portal",
+            "csg",
+            "report",
+            "pvs",
+            "audit",
+        ],
+    ),
 ];
 
 /// What the file imports against the table.
