@@ -129,7 +129,11 @@ impl RationalPoint3 {
     /// The lowest common multiple of the denominator and `common`.
     pub fn common_with(&self, common: Int) -> Int {
         // Mostly equal to one met before, and a remainder costs less than a common divisor.
-        if common.is_multiple_of(&self.denominator) { common } else { common.lcm(&self.denominator) }
+        if common.is_multiple_of(&self.denominator) {
+            common
+        } else {
+            common.lcm(&self.denominator)
+        }
     }
 
     /// The point in units of `1 / grid`.
@@ -209,7 +213,10 @@ mod tests {
         assert_eq!(point([2, -4, 6], -2), point([-1, 2, -3], 1));
         assert_eq!(point([3, 0, 1], 6).denominator(), &Int::from(6));
         assert_eq!(point([0, 0, 0], -7).denominator(), &Int::from(1));
-        assert_eq!(RationalPoint3::from(&point([3, -1, 10], 6).coordinates()), point([3, -1, 10], 6));
+        assert_eq!(
+            RationalPoint3::from(&point([3, -1, 10], 6).coordinates()),
+            point([3, -1, 10], 6)
+        );
     }
 
     #[test]

@@ -112,8 +112,7 @@ impl Arena {
 
     fn bounded(graph: &PortalGraph, bound: impl Fn(&[Approx3]) -> Bound) -> Arena {
         let grid = Grid::new(graph);
-        let points: Vec<Approx3> =
-            graph.vertices.iter().map(Grid::approximate).collect();
+        let points: Vec<Approx3> = graph.vertices.iter().map(Grid::approximate).collect();
         let mut arena = Arena {
             bound: bound(&points),
             points,
@@ -317,9 +316,7 @@ impl Arena {
     fn exact_portal(&self, portal: Directed, denominator: &Int) -> Option<Portal3> {
         let points = self.vertices(portal).iter().map(|&vertex| {
             let vertex = self.grid.vertex(vertex);
-            denominator
-                .is_multiple_of(vertex.denominator())
-                .then(|| vertex.on_grid(denominator))
+            denominator.is_multiple_of(vertex.denominator()).then(|| vertex.on_grid(denominator))
         });
         let points: Vec<BigPoint3> = points.collect::<Option<_>>()?;
         Some(Portal3::new(&points).expect("a validated graph has planar convex portals"))

@@ -124,9 +124,7 @@ impl Grid {
     /// Whether a positive combination of the edges' Plücker vectors vanishes, so that no line is
     /// on the positive side of them all; see [`gordan::exclude_each_other`].
     pub fn exclude_each_other(&self, edges: &[[u32; 2]]) -> bool {
-        let small = |&[u, v]: &[u32; 2]| {
-            Some([self.points[u as usize]?, self.points[v as usize]?])
-        };
+        let small = |&[u, v]: &[u32; 2]| Some([self.points[u as usize]?, self.points[v as usize]?]);
         match edges.iter().map(small).collect::<Option<Vec<[Point3; 2]>>>() {
             Some(lines) => gordan::exclude_each_other(&lines),
             None => gordan::exclude_each_other_rational(

@@ -79,7 +79,8 @@ impl PortalGraph {
     /// The vertices on their common grid, if all coordinates are small there. Files have such a
     /// grid; the meets of a level's planes as a rule have none of any sane size.
     pub fn small_grid(&self) -> Option<SmallGrid> {
-        let nonzero = |vertex: &&RationalPoint3| vertex.numerators().iter().any(|c| *c != Int::ZERO);
+        let nonzero =
+            |vertex: &&RationalPoint3| vertex.numerators().iter().any(|c| *c != Int::ZERO);
         let coarsest = self.vertices.iter().filter(nonzero).map(|v| v.denominator().bits()).min();
         let mut denominator = Int::from(1);
         for vertex in &self.vertices {

@@ -65,10 +65,10 @@ struct Vertex<T> {
 fn small_vertices(graph: &PortalGraph) -> Option<Vec<Vertex<i128>>> {
     let small = graph.small_grid()?.points.into_iter().map(|point| {
         let integers = point.integers();
-        integers.iter().all(|c| c.abs() < 1 << 39).then(|| Vertex {
-            numerators: integers.map(i128::from),
-            denominator: 1,
-        })
+        integers
+            .iter()
+            .all(|c| c.abs() < 1 << 39)
+            .then(|| Vertex { numerators: integers.map(i128::from), denominator: 1 })
     });
     small.collect()
 }

@@ -111,7 +111,7 @@ pub fn gates(graph: &PortalGraph) -> Vec<Gate> {
     let gate = |portal: &stabline::scene::Portal| Gate {
         from: portal.from.0 as usize,
         to: portal.to.0 as usize,
-        vertices: portal.vertices.iter().map(|&v| graph.vertices[v as usize].clone()).collect(),
+        vertices: graph.corners(portal).cloned().collect(),
     };
     graph.portals.iter().map(gate).collect()
 }
