@@ -8,7 +8,7 @@ mod support;
 
 use num_traits::{One, Signed, Zero};
 use stabline::num::{Int, Rational, parse_decimal};
-use stabline::oracle;
+use stabline::oracle::{self, Random};
 use stabline::pvs::{self, Finished, Options};
 use stabline::report::{Matrix, Silent, Verdict};
 use stabline::scene::{CellOrder, PortalGraph};
@@ -176,4 +176,64 @@ fn wide_coordinates_decide_as_narrow_ones_do() {
             }
         }
     }
+}
+
+#[test]
+fn vertices_without_a_common_grid_decide_as_the_twin_does() {
+    let mut open = 0;
+    for family in Family::ALL {
+        let start = std::time::Instant::now();
+        for seed in seeds(5) {
+            for bits in [20, 60] {
+                let name = format!("{family:?} {seed}, {bits} bits");
+                let moved = Graph::random(family, 9000 + seed).shaken(&mut Random::new(seed), bits);
+                let graph = moved.validated();
+                if graph.portals.len() > 2 {
+                    assert_eq!(graph.small_grid(), None, "{name}");
+                }
+                let matrix = checked(&graph, &Options::default(), &name);
+                open += assert_is_twin(&matrix, &graph, &name);
+                let options = Options { without_filters: true, ..Options::default() };
+                assert_eq!(checked(&graph, &options, &name), matrix, "{name} without filters");
+                for scale in ["1/3", "7/11", "1/2305843009213693951"] {
+                    let none = [(); 3].map(|()| Rational::zero());
+                    let scaled = moved.scaled(&parse_decimal(scale).unwrap(), &none).validated();
+                    let name = format!("{name}, scaled by {scale}");
+                    assert_eq!(checked(&scaled, &Options::default(), &name), matrix, "{name}");
+                }
+            }
+        }
+        println!("{family:?}: {:?}", start.elapsed());
+    }
+    assert!(open > 0, "nothing is open");
+}
+
+#[test]
+fn grazing_pairs_without_a_common_grid_are_those_of_the_twin() {
+    let mut grazing = 0;
+    for family in [Family::Rooms, Family::Convex] {
+        for seed in seeds(4) {
+            let name = format!("{family:?} {seed}");
+            // Only the first portal is moved: the others still share walls and edges.
+            let mut graph = Graph::random(family, 7000 + seed);
+            let moved = graph.shaken(&mut Random::new(seed), 40);
+            graph.portals.splice(..1, moved.portals.into_iter().take(1));
+            let graph = graph.validated();
+            if graph.portals.len() > 8 || graph.portals.is_empty() {
+                continue;
+            }
+            let mut matrix = checked(&graph, &Options::default(), &name);
+            assert!(pvs::classify_grazing(&graph, &mut matrix, None, &Silent), "{name}");
+            for (a, row) in
+                oracle::touched_pairs(graph.cells.len(), &gates(&graph)).iter().enumerate()
+            {
+                for (b, &touched) in row.iter().enumerate() {
+                    let verdict = matrix.get(a, b);
+                    assert_eq!(verdict != Verdict::NotOpen, touched, "{name}: {a} -> {b}");
+                    grazing += u32::from(verdict == Verdict::Grazing);
+                }
+            }
+        }
+    }
+    assert!(grazing > 0, "no pair is grazing");
 }

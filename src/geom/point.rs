@@ -213,10 +213,10 @@ mod tests {
         assert_eq!(point([2, -4, 6], -2), point([-1, 2, -3], 1));
         assert_eq!(point([3, 0, 1], 6).denominator(), &Int::from(6));
         assert_eq!(point([0, 0, 0], -7).denominator(), &Int::from(1));
-        assert_eq!(
-            RationalPoint3::from(&point([3, -1, 10], 6).coordinates()),
-            point([3, -1, 10], 6)
-        );
+        let sixths = point([3, -1, 10], 6);
+        assert_eq!(RationalPoint3::from(&sixths.coordinates()), sixths);
+        let numbers = <[Number; 3]>::from(&sixths);
+        assert_eq!(numbers, [Number::Small(1, 2), Number::Small(-1, 6), Number::Small(5, 3)]);
     }
 
     #[test]

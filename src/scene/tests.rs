@@ -228,6 +228,27 @@ fn a_grid_of_many_denominators_is_refused() {
 }
 
 #[test]
+fn portals_on_grids_of_their_own_need_no_common_one() {
+    // Each wall is at another fraction: together 80000 bits of denominators.
+    let wall = |i: u64| {
+        let x = format!("\"{i}/{}\"", (1u64 << 40) + 2 * i + 1);
+        format!(
+            r#"{{"from": "a", "to": "b", "polygon": [[{x}, 0, 0], [{x}, 4, 0], [{x}, 4, 4], [{x}, 0, 4]]}}"#
+        )
+    };
+    let walls: Vec<String> = (1..2000).map(wall).collect();
+    let text = format!(
+        r#"{{"about": "", "format": "stabline-scene/1", "cells": ["a", "b"], "portals": [{}]}}"#,
+        walls.join(", ")
+    );
+    let graph = read_graph("x.json", text.as_bytes()).unwrap();
+    assert_eq!((graph.portals.len(), graph.vertices.len()), (1999, 4 * 1999));
+    assert_eq!((graph.small_grid(), graph.repairs), (None, Repairs::default()));
+    let x = crate::num::Rational::new(3.into(), ((1u64 << 40) + 7).into());
+    assert_eq!(graph.vertices[8].coordinates()[0], x);
+}
+
+#[test]
 fn the_order_of_portals_is_implied_in_convex_cells() {
     // Cell 1 is a box with doors in three of its walls.
     let door = "4 0 1 (0 1 1 ) (0 3 1 ) (0 3 3 ) (0 1 3 )";
