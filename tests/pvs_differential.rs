@@ -192,7 +192,11 @@ fn vertices_without_a_common_grid_decide_as_the_twin_does() {
                     assert_eq!(graph.small_grid(), None, "{name}");
                 }
                 let matrix = checked(&graph, &Options::default(), &name);
-                open += assert_is_twin(&matrix, &graph, &name);
+                // The twin's numbers are as long as a sequence: of the others the small graphs only.
+                let is_planar = matches!(family, Family::Rooms | Family::Convex);
+                if is_planar || graph.portals.len() <= 5 {
+                    open += assert_is_twin(&matrix, &graph, &name);
+                }
                 let options = Options { without_filters: true, ..Options::default() };
                 assert_eq!(checked(&graph, &options, &name), matrix, "{name} without filters");
                 for scale in ["1/3", "7/11", "1/2305843009213693951"] {
