@@ -48,7 +48,8 @@ pub use lines4::{
 };
 pub use meets::{side_of_meets, side_of_meets_big, side_of_meets_exact, side_of_meets_filter};
 pub use orient::{
-    orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact, orient3d_filter,
+    orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact,
+    orient3d_filter, orient3d_rational,
 };
 pub use plane::{
     side_of_plane, side_of_plane_big, side_of_plane_exact, vertex_side_of_plane,

@@ -13,6 +13,6 @@ mod polygon;
 mod tests;
 
 pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
-pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs};
+pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs, SmallGrid};
 pub use input::{InputError, InputErrorKind, read_graph};
 pub use order::CellOrder;
