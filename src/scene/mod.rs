@@ -1,12 +1,13 @@
 //! Scenes: what is asked about, validated, in exact coordinates.
 //!
-//! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
+//! [`level`] makes solids of a level's source; [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
 //! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
 //! of its own.
 
 mod build;
 mod graph;
 mod input;
+pub mod level;
 mod order;
 mod polygon;
 #[cfg(test)]
@@ -15,4 +16,5 @@ mod tests;
 pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
 pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs};
 pub use input::{InputError, InputErrorKind, read_graph};
+pub use level::{Level, LevelOptions, read_level};
 pub use order::CellOrder;
