@@ -33,9 +33,17 @@ fn describe(level: &Level) -> String {
         let place = if entity.is_point { ", a point" } else { "" };
         writeln!(text, "entity `{}`{place}{origin}", entity.class).unwrap();
     }
+    let mut before: Vec<_> = Vec::new();
     for brush in &level.brushes {
         let class = &level.entities[brush.entity].class;
-        writeln!(text, "line {}: {:?} brush of `{class}`", brush.line, brush.role).unwrap();
+        write!(text, "line {}: {:?} brush of `{class}`", brush.line, brush.role).unwrap();
+        let faces: Vec<_> = brush.faces.iter().map(|face| (&face.plane, face.splits)).collect();
+        if faces == before {
+            text.push_str(", its faces as before\n");
+            continue;
+        }
+        before = faces;
+        text.push('\n');
         for face in &brush.faces {
             let [x, y, z] = &face.plane.normal;
             let splits = if face.splits { "" } else { ", no split" };
@@ -99,5 +107,134 @@ fn every_public_map_is_read() {
         }
         let stated = file.entities.iter().flat_map(|entity| &entity.brushes);
         assert_eq!(stated.map(|brush| brush.faces.len()).sum::<usize>(), faces, "{name}");
+    }
+}
+
+/// A box of the side 8, its faces in the order of the axes.
+const BOX: [&str; 6] = [
+    "( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) wall 0 0 0 1 1",
+    "( 8 0 0 ) ( 8 0 1 ) ( 8 1 0 ) wall 0 0 0 1 1",
+    "( 0 0 0 ) ( 0 0 1 ) ( 1 0 0 ) wall 0 0 0 1 1",
+    "( 0 8 0 ) ( 1 8 0 ) ( 0 8 1 ) wall 0 0 0 1 1",
+    "( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) wall 0 0 0 1 1",
+    "( 0 0 8 ) ( 0 1 8 ) ( 1 0 8 ) wall 0 0 0 1 1",
+];
+
+fn world(brush: &str) -> String {
+    format!("{{\n\"classname\" \"worldspawn\"\n{{\n{brush}\n}}\n}}\n")
+}
+
+fn level(text: &str) -> Level {
+    read_level("x.map", text.as_bytes(), LevelOptions::default()).unwrap()
+}
+
+#[test]
+fn errors_name_the_file_the_line_and_the_rule() {
+    let face = BOX[0];
+    let with = |old: &str, new: &str| world(&face.replacen(old, new, 1));
+    let pairs = "{\n\"classname\" \"worldspawn\"\n";
+    let cases = [
+        (String::new(), "x.map:1: no entity, expected `{`"),
+        ("// nothing\n".to_owned(), "x.map:2: no entity, expected `{`"),
+        ("worldspawn".to_owned(), "x.map:1: expected `{` of an entity, got `worldspawn`"),
+        (format!("{pairs}}}\n}}"), "x.map:4: expected `{` of an entity, got `}`"),
+        (
+            pairs.to_owned(),
+            "x.map:3: the file ends in the entity that line 1 opens, expected a key in quotes, \
+             `{` or `}`",
+        ),
+        (
+            format!("{pairs}{{\n{face}"),
+            "x.map:4: the file ends in the brush that line 3 opens, expected `(` of a face, or `}`",
+        ),
+        (format!("{pairs}wad"), "x.map:3: expected a key in quotes, `{` or `}`, got `wad`"),
+        (
+            format!("{pairs}\"wad\" 7"),
+            "x.map:3: expected the value of a key in quotation marks, got `7`",
+        ),
+        (
+            format!("{pairs}\"wad\" \"a\n\"}}"),
+            "x.map:3: a text in quotation marks does not end on its line, expected `\"`",
+        ),
+        (
+            with("1 0", "nan 0"),
+            "x.map:4: point 2 of a face: coordinate `nan`: not a decimal number or a ratio of \
+             integers",
+        ),
+        (with("1 0 )", "1 )"), "x.map:4: expected a coordinate, got `)`"),
+        (with("1 0 )", "1 0 0 )"), "x.map:4: expected `)` after three coordinates, got `0`"),
+        (with("( 0 0 1 ) ", ""), "x.map:4: expected `(` of the third point, got `wall`"),
+        (with("wall 0", "0"), "x.map:5: expected a number of the texture's alignment, got `}`"),
+        (
+            with("wall 0 0", "wall [ 1 0 0 ] 0"),
+            "x.map:4: expected a number of a texture axis, got `]`",
+        ),
+        (with("1 1", "1 x"), "x.map:4: expected a number of the texture's alignment, got `x`"),
+        (
+            world("brushDef\n{\n}"),
+            "x.map:4: `brushDef` is not read, expected a brush in the standard or the Valve 220 \
+             form",
+        ),
+        (world("mesh"), "x.map:4: expected `(` of a face, `}` or the name of a patch, got `mesh`"),
+        (world(&[face; 1025].join("\n")), "x.map:1028: a brush of more than 1024 faces"),
+    ];
+    for (text, expected) in cases {
+        let error = read_level("x.map", text.as_bytes(), LevelOptions::default()).unwrap_err();
+        assert_eq!(error.to_string(), expected, "{text}");
+    }
+}
+
+#[test]
+fn what_does_not_matter_to_geometry_is_read_over() {
+    let plain = level(&world(&BOX.join("\n")));
+    assert_eq!((plain.brushes.len(), plain.warnings.len()), (1, 0));
+    for (old, new) in [
+        ("0 0 0 1 1", "[ 1 0 0 nan ] [ 0 -1 0 0.5 ] 0 1 -1e-3"),
+        ("0 0 0 1 1", "0 0 0 1 1 -1"),
+        ("0 0 0 1 1", "0 0 0 1 1 0 0 0 // a comment {"),
+        ("wall", "\"wall with a blank\""),
+        ("wall", "+0button"),
+        ("( 0 0", "(0 0"),
+        ("8", "8.000"),
+        ("8", "+80e-1"),
+        ("\n", "\r\n"),
+    ] {
+        let text = world(&BOX.join("\n")).replace(old, new);
+        assert_eq!(level(&text), plain, "{text}");
+    }
+    let with_path = "{\n\"classname\" \"worldspawn\"\n\"wad\" \"c:\\maps\\\"\n\"_x\" \"\u{e4}\"\n}";
+    assert!(level(with_path).warnings.is_empty());
+}
+
+#[test]
+fn opaque_liquids_are_solid() {
+    let text = world(&BOX.join("\n").replace("wall", "*water0"));
+    for (opaque_liquids, role) in [(false, Role::Liquid), (true, Role::Solid)] {
+        let level = read_level("x", text.as_bytes(), LevelOptions { opaque_liquids }).unwrap();
+        assert_eq!(level.brushes[0].role, role);
+    }
+}
+
+#[test]
+fn the_order_of_faces_changes_no_face() {
+    // A box with a cut corner, a cut that misses and one that only touches an edge.
+    let more = [
+        "( 8 8 4 ) ( 8 4 8 ) ( 4 8 8 ) wall 0 0 0 1 1",
+        "( 9 8 8 ) ( 8 8 9 ) ( 8 9 8 ) wall 0 0 0 1 1",
+        "( 8 0 0 ) ( 8 0 1 ) ( 9 1 0 ) wall 0 0 0 1 1",
+    ];
+    let mut faces: Vec<&str> = BOX.iter().chain(&more).copied().collect();
+    for cut in [1, -1] {
+        for _ in 0..faces.len() {
+            faces.rotate_left(1);
+            let level = level(&world(&faces.join("\n")));
+            let [brush] = level.brushes.as_slice() else { panic!("{:?}", level.warnings) };
+            let mut planes: Vec<String> =
+                brush.faces.iter().map(|face| format!("{:?}", face.plane)).collect();
+            planes.sort();
+            planes.dedup();
+            assert_eq!((planes.len(), level.warnings.len()), (7, 2), "{cut}: {faces:?}");
+        }
+        faces.reverse();
     }
 }

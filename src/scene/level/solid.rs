@@ -104,17 +104,19 @@ fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
     let mut crossing = false;
     for i in 0..planes.len() {
         for j in i + 1..planes.len() {
-            if cross(planes[i], planes[j]).iter().all(Zero::is_zero) {
+            let direction = cross(planes[i], planes[j]);
+            if direction.iter().all(Zero::is_zero) {
                 continue;
             }
             crossing = true;
-            match interval(planes, i, j) {
+            match interval(planes, [i, j], &direction) {
                 Interval::Point | Interval::Empty => {}
                 Interval::Endless => return Err(NoSolid::Open),
                 Interval::Edge => {
                     for (this, other) in [(i, j), (j, i)] {
                         let first = *edges[this].get_or_insert(other);
-                        holds_face[this] |= triple(planes, this, first, other) != Sign::Zero;
+                        // Parallel edges have directions, hence normals, in one plane.
+                        holds_face[this] |= along(&direction, planes[first]) != Sign::Zero;
                     }
                 }
             }
@@ -138,20 +140,20 @@ enum Interval {
     Endless,
 }
 
-fn interval(planes: &[&BigPlane], i: usize, j: usize) -> Interval {
-    // The planes that end the interval, along the direction normal i x normal j.
+/// What is left of the line of `planes[i]` and `planes[j]`, which runs in `direction`.
+fn interval(planes: &[&BigPlane], [i, j]: [usize; 2], direction: &[Int; 3]) -> Interval {
     let (mut low, mut high): (Option<usize>, Option<usize>) = (None, None);
-    let others = || (0..planes.len()).filter(|&k| k != i && k != j);
     let side = |end: usize, k: usize| {
         let side = vertex_side_of_plane_big([planes[i], planes[j], planes[end]], planes[k]);
         side.unwrap_or_else(|| unreachable!("an end is where a plane crosses the line"))
     };
-    let mut along = Vec::new();
-    for k in others() {
-        let end = match triple(planes, i, j, k) {
+    let mut parallel = Vec::new();
+    for k in (0..planes.len()).filter(|&k| k != i && k != j) {
+        let end = match along(direction, planes[k]) {
             Sign::Negative => &mut low,
+            // The plane is parallel to the line, which is on one side of it, or in it.
             Sign::Zero => {
-                along.push(k);
+                parallel.push(k);
                 continue;
             }
             Sign::Positive => &mut high,
@@ -168,8 +170,7 @@ fn interval(planes: &[&BigPlane], i: usize, j: usize) -> Interval {
             return Interval::Empty;
         }
     }
-    // Planes along the line have all of it on one side.
-    let outside = |end: usize| along.iter().any(|&k| side(end, k) == Sign::Positive);
+    let outside = |end: usize| parallel.iter().any(|&k| side(end, k) == Sign::Positive);
     match (low, high) {
         (Some(end), _) | (_, Some(end)) if outside(end) => Interval::Empty,
         (Some(low), Some(high)) => match side(low, high) {
@@ -183,14 +184,13 @@ fn interval(planes: &[&BigPlane], i: usize, j: usize) -> Interval {
     }
 }
 
-/// The sign of det[n_i, n_j, n_k]: positive where k's half-space ends the line of i and j ahead,
-/// zero where it is along that line.
-fn triple(planes: &[&BigPlane], i: usize, j: usize, k: usize) -> Sign {
-    let direction = cross(planes[i], planes[j]);
-    let normal = &planes[k].normal;
-    Sign::of(&(0..3).map(|axis| &direction[axis] * &normal[axis]).sum::<Int>())
+/// Whether one leaves (positive) or enters (negative) the plane's half-space along `direction`;
+/// zero: neither, the plane is parallel to it.
+fn along(direction: &[Int; 3], plane: &BigPlane) -> Sign {
+    Sign::of(&(0..3).map(|axis| &direction[axis] * &plane.normal[axis]).sum::<Int>())
 }
 
+/// The product of the normals: the direction of the line in which the planes meet.
 fn cross(p: &BigPlane, q: &BigPlane) -> [Int; 3] {
     let minor = |i: usize, j: usize| &p.normal[i] * &q.normal[j] - &p.normal[j] * &q.normal[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
