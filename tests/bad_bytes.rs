@@ -154,6 +154,8 @@ fn the_undamaged_files_are_read() {
     let levels = files.iter().filter(|bytes| Visibility::read(bytes).is_ok()).count();
     let others = files.iter().filter(|b| PvsReport::read(b).is_ok() || NpyMatrix::read(b).is_ok());
     assert_eq!((graphs, levels, others.count()), (5, 3, 2));
+    let source = read_level("x", MAP.as_bytes(), LevelOptions::default()).unwrap();
+    assert_eq!((source.brushes.len(), source.warnings.len()), (1, 2));
 }
 
 #[test]

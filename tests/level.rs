@@ -2,6 +2,7 @@
 
 mod support;
 
+use proptest::prelude::*;
 use stabline::formats::map;
 use stabline::scene::level::Role;
 use stabline::scene::{Level, LevelOptions, read_level};
@@ -236,5 +237,106 @@ fn the_order_of_faces_changes_no_face() {
             assert_eq!((planes.len(), level.warnings.len()), (7, 2), "{cut}: {faces:?}");
         }
         faces.reverse();
+    }
+}
+
+/// A half-space n·x <= o as [n, o].
+type HalfSpace = [i128; 4];
+
+fn determinant(a: [i128; 3], b: [i128; 3], c: [i128; 3]) -> i128 {
+    a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// The planes that hold a face of what the half-spaces enclose, by trying all triples of planes;
+/// none where it has no volume. What they enclose must be bounded.
+fn twin(planes: &[HalfSpace]) -> Vec<HalfSpace> {
+    let normal = |p: HalfSpace| [p[0], p[1], p[2]];
+    // Homogeneous corners (x, y, z, w) with w > 0.
+    let mut corners: Vec<[i128; 4]> = Vec::new();
+    let excess =
+        |p: &HalfSpace, v: &[i128; 4]| p[0] * v[0] + p[1] * v[1] + p[2] * v[2] - p[3] * v[3];
+    for (i, &p) in planes.iter().enumerate() {
+        for (j, &q) in planes.iter().enumerate().take(i) {
+            for &r in &planes[..j] {
+                let w = determinant(normal(p), normal(q), normal(r));
+                if w == 0 {
+                    continue;
+                }
+                let column = |axis: usize| {
+                    let replaced = [p, q, r].map(|plane| {
+                        let mut row = normal(plane);
+                        row[axis] = plane[3];
+                        row
+                    });
+                    determinant(replaced[0], replaced[1], replaced[2]) * w.signum()
+                };
+                let corner = [column(0), column(1), column(2), w.abs()];
+                if planes.iter().all(|plane| excess(plane, &corner) <= 0) {
+                    corners.push(corner);
+                }
+            }
+        }
+    }
+    // The corners' mean is inside strictly iff each plane is missed by some corner.
+    if !planes.iter().all(|plane| corners.iter().any(|corner| excess(plane, corner) < 0)) {
+        return Vec::new();
+    }
+    let holds_face = |plane: &&HalfSpace| {
+        let on: Vec<_> = corners.iter().filter(|corner| excess(plane, corner) == 0).collect();
+        let Some(first) = on.first() else { return false };
+        let from_first = |v: &[i128; 4]| [0, 1, 2].map(|i| v[i] * first[3] - first[i] * v[3]);
+        on.iter().any(|a| {
+            let a = from_first(a);
+            on.iter().any(|b| {
+                let b = from_first(b);
+                (0..3).any(|i| a[i] * b[(i + 1) % 3] != a[(i + 1) % 3] * b[i])
+            })
+        })
+    };
+    planes.iter().filter(holds_face).copied().collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 1000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    /// Random faces in a box, many of them degenerate, against the twin.
+    #[test]
+    fn the_faces_kept_are_those_of_the_twin(
+        cuts in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(0i128..5)), 1..6),
+    ) {
+        let mut faces: Vec<String> = BOX.iter().map(|face| (*face).to_owned()).collect();
+        let mut planes: Vec<HalfSpace> = (0..3)
+            .flat_map(|axis| {
+                let unit = |n: i128| [0, 1, 2].map(|i| if i == axis { n } else { 0 });
+                let ([a, b, c], [d, e, f]) = (unit(-1), unit(1));
+                [[a, b, c, 0], [d, e, f, 8]]
+            })
+            .collect();
+        for [a, b, c] in cuts {
+            let point = |p: [i128; 3]| format!("( {} {} {} )", p[0], p[1], p[2]);
+            faces.push(format!("{} {} {} wall 0 0 0 1 1", point(a), point(b), point(c)));
+            let (p, q) = ([0, 1, 2].map(|i| c[i] - a[i]), [0, 1, 2].map(|i| b[i] - a[i]));
+            let minor = |i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+            let n = [minor(1, 2), minor(2, 0), minor(0, 1)];
+            let offset = n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
+            let divisor = [n[0], n[1], n[2], offset].into_iter().fold(0, num_integer::gcd);
+            let plane = [n[0], n[1], n[2], offset].map(|c| if divisor == 0 { 0 } else { c / divisor });
+            if n != [0; 3] && !planes.contains(&plane) {
+                planes.push(plane);
+            }
+        }
+        let level = level(&world(&faces.join("\n")));
+        let kept = level.brushes.iter().flat_map(|brush| &brush.faces).map(|face| {
+            let plane = &face.plane;
+            let [x, y, z] = &plane.normal;
+            [x, y, z, &plane.offset].map(|c| i128::try_from(c.clone()).unwrap())
+        });
+        prop_assert_eq!(kept.collect::<Vec<_>>(), twin(&planes));
     }
 }

@@ -6,7 +6,7 @@
 //! ```text
 //! { "classname" "worldspawn"
 //!   { ( x y z ) ( x y z ) ( x y z ) TEXTURE shift shift rotation scale scale [flags…]
-//!     ( x y z ) ( x y z ) ( x y z ) TEXTURE [ x y z w ] [ x y z w ] rotation scale scale [flags…] } }
+//!     ( x y z ) ( x y z ) ( x y z ) TEXTURE [ x y z w ] [ x y z w ] rotation scale scale … } }
 //! ```
 //!
 //! The first form is the standard one, the second Valve's 220; they may be mixed. `//` starts a

@@ -1,8 +1,8 @@
 //! Scenes: what is asked about, validated, in exact coordinates.
 //!
-//! [`level`] makes solids of a level's source; [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
+//! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
 //! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
-//! of its own.
+//! of its own. [`read_level`] makes the solids of a [`Level`] of a level's source.
 
 mod build;
 mod graph;
