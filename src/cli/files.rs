@@ -6,6 +6,7 @@
 use super::exit::Failure;
 use super::interrupt;
 use crate::report::PvsReport;
+use crate::scene::{CellId, PortalGraph};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -49,6 +50,19 @@ impl Input {
 /// The last part of a path.
 pub(super) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// The cell of the graph in `file` that an argument names: by its name, or by its number.
+pub(super) fn cell(graph: &PortalGraph, file: &str, text: &str) -> Result<CellId, Failure> {
+    let by_name = graph.cells.iter().position(|name| name == text);
+    let by_number = || text.parse().ok().filter(|&index: &usize| index < graph.cells.len());
+    match by_name.or_else(by_number) {
+        Some(index) => Ok(CellId(index as u32)),
+        None => Err(Failure::usage(format!(
+            "no cell {text:?} in {file}, expected a name or a number below {}",
+            graph.cells.len()
+        ))),
+    }
 }
 
 /// Writes an output to the file at `path`, or to standard output for `-` or without a path.

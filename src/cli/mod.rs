@@ -8,6 +8,7 @@
 mod check;
 mod exit;
 mod export;
+mod eye;
 mod files;
 mod interrupt;
 mod progress;
@@ -39,6 +40,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 enum Command {
     Check(check::Args),
     Export(export::Args),
+    Eye(eye::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
@@ -51,6 +53,7 @@ impl Command {
         match self {
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
+            Command::Eye(args) => eye::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),

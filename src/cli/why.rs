@@ -29,7 +29,7 @@ pub(super) struct Args {
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
     let graph = scene::read_graph(&input.name, &input.bytes)?;
-    let [from, to] = [&args.from, &args.to].map(|text| cell(&graph, &input.name, text));
+    let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));
     let (from, to) = (from?, to?);
     let watch = Watch::new(args.progress.reporter(), None);
     let Some(explanation) = pvs::explain(&graph, from, to, &watch) else {
@@ -42,18 +42,6 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     };
     files::print(&text)?;
     Ok(Exit::Done)
-}
-
-fn cell(graph: &PortalGraph, file: &str, text: &str) -> Result<CellId, Failure> {
-    let by_name = graph.cells.iter().position(|name| name == text);
-    let by_number = || text.parse().ok().filter(|&index: &usize| index < graph.cells.len());
-    match by_name.or_else(by_number) {
-        Some(index) => Ok(CellId(index as u32)),
-        None => Err(Failure::usage(format!(
-            "no cell {text:?} in {file}, expected a name or a number below {}",
-            graph.cells.len()
-        ))),
-    }
 }
 
 fn point(point: &[Number; 3]) -> String {

@@ -22,6 +22,7 @@
 mod along;
 mod budget;
 pub mod counters;
+mod direction;
 pub mod filtered;
 mod four_lines;
 pub mod gordan;
@@ -40,6 +41,9 @@ pub use along::{
     compare_crossings_big, compare_crossings_exact,
 };
 pub use budget::{Budget, RANGES, Range};
+pub use direction::{
+    Direction, FloatVector, side_of_direction, side_of_direction_big, side_of_direction_filter,
+};
 pub use four_lines::{FourLines, Sides};
 pub use lines::{side_of_lines, side_of_lines_big, side_of_lines_exact, side_of_lines_filter};
 pub use lines4::{

@@ -1,11 +1,15 @@
 //! Results: their types, their canonical text, and the sink that searches report progress to.
 
+mod eye;
 mod matrix;
 mod progress;
 mod pvs;
 mod stab;
 mod transversals;
 
+pub use eye::{
+    EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
+};
 pub use matrix::{Counts, Matrix, Verdict};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};

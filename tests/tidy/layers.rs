@@ -17,6 +17,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("csg", &["num", "geom", "construct"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
+    ("eye", &["num", "geom", "predicates", "scene", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
     (
@@ -33,6 +34,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "csg",
             "report",
             "pvs",
+            "eye",
             "audit",
         ],
     ),

@@ -1,0 +1,280 @@
+//! Eye queries: the walk over portal sequences, and the culls.
+//!
+//! The culls are those of Teller and Séquin (Visibility preprocessing for interactive walkthroughs,
+//! 1991), as far as a graph without cell geometry has them, and Carr's traversal; each reaches all
+//! cells that the exact one reaches:
+//! - *flood*: the connected component of the eye's cells;
+//! - *portals*: through portals in front of the eye and, each on its own, in the frustum;
+//! - *float*: the frustum clipped at each portal in floats ([`super::propose`]);
+//! - *exact*.
+
+use super::frustum::around;
+use super::locate::cells_of_eye;
+use super::propose::FloatCone;
+use super::view::View;
+use super::{Cone, EyeGraph, Frustum, LocateError, Region};
+use crate::geom::RationalPoint3;
+use crate::num::{Int, Sign};
+use crate::predicates::Direction;
+use crate::scene::{CellId, PortalId};
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+/// How cells are ruled out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cull {
+    /// The cells joined to the eye's by portals.
+    Flood,
+    /// Through portals before the eye and in the frustum, each judged alone.
+    Portals,
+    /// Clipping in floats; never misses a cell.
+    Float,
+    /// The cells that are seen.
+    Exact,
+}
+
+/// A question.
+#[derive(Clone, Copy, Debug)]
+pub struct Query<'q> {
+    /// Where the eye is.
+    pub eye: &'q RationalPoint3,
+    /// What it looks at; all around it without.
+    pub frustum: Option<&'q Frustum>,
+    /// The cell that the eye is in, where the portals do not tell.
+    pub cell: Option<CellId>,
+    /// Whether to give the seen part of each sequence's last portal (with [`Cull::Exact`]).
+    pub regions: bool,
+}
+
+/// A cell that is reached.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reached {
+    /// The cell.
+    pub cell: CellId,
+    /// The shortest sequence of portals to it, of those the first; none for the eye's own cells.
+    pub portals: Vec<PortalId>,
+    /// A direction strictly inside all these portals and the frustum (with [`Cull::Exact`]).
+    pub direction: Option<[Int; 3]>,
+}
+
+/// What an eye sees.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Answer {
+    /// The cells that the eye belongs to: several where it is in a closed portal.
+    pub eye_cells: Vec<CellId>,
+    /// The cells reached, in ascending order.
+    pub cells: Vec<Reached>,
+    /// How many sequences were found to be visible (by the cull's measure; 0 where it does not
+    /// look at sequences).
+    pub sequences: u64,
+    /// The seen part of each sequence's last portal, if asked for.
+    pub regions: Vec<Region>,
+}
+
+impl EyeGraph<'_> {
+    /// Answers a query.
+    ///
+    /// # Errors
+    /// [`LocateError`] where it is not known which cell the eye is in.
+    pub fn look(&self, query: &Query, cull: Cull) -> Result<Answer, LocateError> {
+        let view = View::new(self, query.eye);
+        let eye_cells = cells_of_eye(&view, query.cell)?;
+        let mut found = Found { best: vec![None; self.graph.cells.len()], sequences: 0 };
+        let mut regions = Vec::new();
+        match cull {
+            Cull::Flood => spread(&view, &eye_cells, &mut found, |_, _| true),
+            Cull::Portals => {
+                let limits: Vec<_> = query.frustum.into_iter().flat_map(Frustum::sides).collect();
+                spread(&view, &eye_cells, &mut found, |cell, portal| {
+                    view.leaves(portal, cell) && entered(&view, &limits, portal).is_some()
+                });
+            }
+            Cull::Float => {
+                for &cell in &eye_cells {
+                    look_in_floats(&view, cell, query.frustum, &mut found);
+                }
+            }
+            Cull::Exact => {
+                for &cell in &eye_cells {
+                    let regions = query.regions.then_some(&mut regions);
+                    look_exactly(&view, cell, query.frustum, &mut found, regions);
+                }
+            }
+        }
+        let reached = found.best.into_iter().zip(0..).filter_map(|(best, cell)| {
+            let Best { portals, direction } = best?;
+            let portals = portals.iter().map(|&portal| PortalId(portal as u32)).collect();
+            Some(Reached { cell: CellId(cell), portals, direction })
+        });
+        let cells = reached.collect();
+        Ok(Answer { eye_cells, cells, sequences: found.sequences, regions })
+    }
+}
+
+/// The best sequence to a cell.
+#[derive(Clone)]
+struct Best {
+    portals: Vec<usize>,
+    direction: Option<[Int; 3]>,
+}
+
+/// What was found so far.
+struct Found {
+    best: Vec<Option<Best>>,
+    sequences: u64,
+}
+
+impl Found {
+    /// Notes a sequence; the direction is made only for one that is better than what there is.
+    fn note(
+        &mut self,
+        cell: CellId,
+        portals: &[usize],
+        direction: impl FnOnce() -> Option<[Int; 3]>,
+    ) {
+        self.sequences += u64::from(!portals.is_empty());
+        let best = &mut self.best[cell.0 as usize];
+        let is_better =
+            |best: &Best| (portals.len(), portals) < (best.portals.len(), &best.portals[..]);
+        if best.as_ref().is_none_or(is_better) {
+            *best = Some(Best { portals: portals.to_vec(), direction: direction() });
+        }
+    }
+}
+
+/// Reaches cells in breadth, each once, through portals that pass on their own.
+fn spread(view: &View, from: &[CellId], found: &mut Found, passes: impl Fn(CellId, usize) -> bool) {
+    let mut queue: VecDeque<(CellId, Vec<usize>)> =
+        from.iter().map(|&cell| (cell, Vec::new())).collect();
+    for &cell in from {
+        found.note(cell, &[], || None);
+    }
+    while let Some((cell, portals)) = queue.pop_front() {
+        for &portal in &view.graph.portals_of[cell.0 as usize] {
+            let beyond = view.graph.beyond(portal, cell);
+            if found.best[beyond.0 as usize].is_none() && passes(cell, portal) {
+                let mut portals = portals.clone();
+                portals.push(portal);
+                found.note(beyond, &portals, || None);
+                queue.push_back((beyond, portals));
+            }
+        }
+    }
+    found.sequences = 0;
+}
+
+/// The planes that bound every direction from the eye into its cell: those of the frustum, and of
+/// the cell's portals whose plane the eye lies in.
+fn limits(view: &View, cell: CellId, frustum: Option<&Frustum>) -> Vec<Rc<Direction>> {
+    let mut limits: Vec<_> = frustum.into_iter().flat_map(Frustum::sides).collect();
+    for &portal in &view.graph.portals_of[cell.0 as usize] {
+        if view.side(portal) == Sign::Zero && view.graph.bounds(portal, cell) {
+            limits.push(Rc::new(view.normal(portal, view.graph.inner(portal, cell))));
+        }
+    }
+    limits
+}
+
+/// The directions through one portal within the limits.
+fn entered(view: &View, limits: &[Rc<Direction>], portal: usize) -> Option<Cone> {
+    let seen = view.seen(portal);
+    let mut cone = Cone::over(&seen.rays, &seen.planes);
+    limits.iter().all(|plane| cone.clip(plane)).then_some(cone)
+}
+
+/// A cone of directions within the limits, where there is one.
+fn within(limits: &[Rc<Direction>], frustum: Option<&Frustum>) -> Option<Cone> {
+    let candidates = match frustum {
+        Some(frustum) => vec![Cone::between(&frustum.sides())],
+        None => around().into(),
+    };
+    let clipped = candidates
+        .into_iter()
+        .filter_map(|mut cone| limits.iter().all(|plane| cone.clip(plane)).then_some(cone));
+    clipped.into_iter().next()
+}
+
+fn look_exactly(
+    view: &View,
+    cell: CellId,
+    frustum: Option<&Frustum>,
+    found: &mut Found,
+    mut regions: Option<&mut Vec<Region>>,
+) {
+    let limits = limits(view, cell, frustum);
+    // An eye on the cell's boundary may look away from it.
+    let Some(start) = within(&limits, frustum) else { return };
+    found.note(cell, &[], || Some(start.interior()));
+    let enter = |before: Option<(&Cone, usize)>, portal: usize| {
+        let Some((cone, last)) = before else { return entered(view, &limits, portal) };
+        let mut cone = cone.clone();
+        let seen = view.seen(portal);
+        let order = view.order(last, portal);
+        seen.planes.iter().chain(&order).all(|plane| cone.clip(plane)).then_some(cone)
+    };
+    walk(view, cell, enter, |cell, portals, cone: &Cone| {
+        found.note(cell, portals, || Some(cone.interior()));
+        if let Some(regions) = &mut regions {
+            regions.push(Region::new(view, portals, cell, cone));
+        }
+    });
+}
+
+fn look_in_floats(view: &View, cell: CellId, frustum: Option<&Frustum>, found: &mut Found) {
+    let limits = limits(view, cell, frustum);
+    found.note(cell, &[], || None);
+    let enter = |before: Option<(&FloatCone, usize)>, portal: usize| {
+        let seen = view.seen(portal);
+        let Some((cone, _)) = before else {
+            let mut cone = FloatCone::over(&seen.rays, &seen.planes);
+            return limits.iter().all(|plane| cone.clip(plane.float())).then_some(cone);
+        };
+        let mut cone = cone.clone();
+        seen.planes.iter().all(|plane| cone.clip(plane.float())).then_some(cone)
+    };
+    walk(view, cell, enter, |cell, portals, _: &FloatCone| found.note(cell, portals, || None));
+}
+
+/// One cell of a sequence that is being extended.
+struct Step<C> {
+    cell: CellId,
+    /// The cone of the sequence so far, and its last portal; none in the eye's cell.
+    before: Option<(C, usize)>,
+    /// How many of the cell's portals were tried.
+    tried: usize,
+}
+
+/// Walks over all sequences from `start` that enter no cell twice and that `enter` lets pass: it is
+/// given the cone of a sequence with its last portal, and the next portal.
+fn walk<C>(
+    view: &View,
+    start: CellId,
+    enter: impl Fn(Option<(&C, usize)>, usize) -> Option<C>,
+    mut reach: impl FnMut(CellId, &[usize], &C),
+) {
+    let graph = view.graph;
+    let mut on_path = vec![false; graph.portals_of.len()];
+    on_path[start.0 as usize] = true;
+    let mut portals = Vec::new();
+    let mut steps: Vec<Step<C>> = vec![Step { cell: start, before: None, tried: 0 }];
+    while let Some(step) = steps.last_mut() {
+        let cell = step.cell;
+        let Some(&portal) = graph.portals_of[cell.0 as usize].get(step.tried) else {
+            on_path[cell.0 as usize] = false;
+            steps.pop();
+            portals.pop();
+            continue;
+        };
+        step.tried += 1;
+        let beyond = graph.beyond(portal, cell);
+        if on_path[beyond.0 as usize] || !view.leaves(portal, cell) {
+            continue;
+        }
+        let before = step.before.as_ref().map(|(cone, last)| (cone, *last));
+        let Some(cone) = enter(before, portal) else { continue };
+        portals.push(portal);
+        reach(beyond, &portals, &cone);
+        on_path[beyond.0 as usize] = true;
+        steps.push(Step { cell: beyond, before: Some((cone, portal)), tried: 0 });
+    }
+}
