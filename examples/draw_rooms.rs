@@ -9,7 +9,8 @@
 //! Run with `cargo run --release --example draw_rooms > docs/picture.svg`.
 
 use num_traits::ToPrimitive;
-use stabline::num::{Rational, Surd};
+use stabline::geom::RationalPoint3;
+use stabline::num::{Int, Rational, Surd};
 use stabline::scene::{CellId, PortalGraph, read_graph};
 use stabline::stab::{Portal3, Stabber, Verdict};
 use std::fmt::Write;
@@ -113,8 +114,9 @@ impl Search<'_> {
 /// The portals of a room, as a line crosses them that leaves it, and the rooms behind them.
 fn ways_out(graph: &PortalGraph, room: CellId) -> Vec<(CellId, Portal3)> {
     let mut ways = Vec::new();
+    let unit = unit(graph);
     for portal in &graph.portals {
-        let corners = portal.vertices.iter().map(|&v| graph.vertices[v as usize].clone());
+        let corners = graph.corners(portal).map(|corner| corner.on_grid(&unit));
         let polygon = Portal3::new(&corners.collect::<Vec<_>>()).expect("a validated portal");
         if portal.from == room {
             ways.push((portal.to, polygon));
@@ -125,9 +127,14 @@ fn ways_out(graph: &PortalGraph, room: CellId) -> Vec<(CellId, Portal3)> {
     ways
 }
 
+/// Grid units in one world unit.
+fn unit(graph: &PortalGraph) -> Int {
+    RationalPoint3::common_denominator(&graph.vertices)
+}
+
 /// The place in the floor plan of a point in grid units.
 fn from_above(graph: &PortalGraph, [x, y, _]: [f64; 3]) -> [f64; 2] {
-    let unit = graph.denominator.to_f64().expect("a small grid");
+    let unit = unit(graph).to_f64().expect("a small grid");
     [x / unit, y / unit]
 }
 
@@ -187,12 +194,12 @@ fn draw_rooms(svg: &mut String, graph: &PortalGraph) {
         );
     }
     for portal in &graph.portals {
-        let corners = portal.vertices.iter().map(|&v| {
-            let corner = &graph.vertices[v as usize].coordinates;
-            place(from_above(graph, corner.each_ref().map(|c| c.to_f64().expect("a coordinate"))))
+        let corners = graph.corners(portal).map(|corner| {
+            let [x, y, _] = corner.coordinates();
+            place([float(&x), float(&y)])
         });
         let corners: Vec<[f64; 2]> = corners.collect();
-        let high = graph.vertices[portal.vertices[0] as usize].coordinates[2] > 0.into();
+        let high = graph.vertices[portal.vertices[0] as usize].numerators()[2] > 0.into();
         let (from, to) = (corners[0], corners[2]);
         let color = if high { "#54aeff" } else { "#ffffff" };
         segment(svg, from, to, color, 7., "");
@@ -343,9 +350,9 @@ mod tests {
             })
         };
         for portal in &graph.portals {
-            for &vertex in &portal.vertices {
-                let corner = &graph.vertices[vertex as usize].coordinates;
-                let point = from_above(&graph, corner.each_ref().map(|c| c.to_f64().unwrap()));
+            for corner in graph.corners(portal) {
+                let [x, y, _] = corner.coordinates();
+                let point = [float(&x), float(&y)];
                 for room in [portal.from, portal.to] {
                     let name = &graph.cells[room.0 as usize];
                     assert!(on_edge(OUTLINES[room.0 as usize], point), "{name} {point:?}");

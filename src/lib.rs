@@ -2,17 +2,21 @@
 
 pub mod audit;
 pub mod cli;
+pub mod construct;
+pub mod csg;
 pub mod eye;
 pub mod formats;
 pub mod geom;
 pub mod num;
 #[cfg(feature = "oracle")]
 pub mod oracle;
+pub mod portal;
 pub mod predicates;
 pub mod pvs;
 pub mod report;
 pub mod scene;
 pub mod stab;
+pub mod subdivision;
 
 /// Compiles and runs the README's example.
 #[cfg(doctest)]

@@ -9,12 +9,23 @@ use stabline::formats::json::SceneFile;
 use stabline::formats::npy::NpyMatrix;
 use stabline::formats::prt;
 use stabline::report::PvsReport;
-use stabline::scene::{CellOrder, PortalGraph, read_graph};
+use stabline::scene::{CellOrder, LevelOptions, PortalGraph, read_graph, read_level};
 use support::{THREE_ROOMS, level, three_rooms_result};
 
 const SCENE: &str = r#"{"about": "a door", "format": "stabline-scene/1", "grid": 2,
 "cells": ["hall", "yard"], "portals": [
 {"from": "yard", "to": "hall", "polygon": [[0, 0, 0], ["7/2", 0, 1e0], [0, -2.5, 0], [0, -2.5, 0]]}]}"#;
+
+/// A wedge in both forms of faces, with flags, a curved surface, comments and a place.
+const MAP: &str = r#"// a comment
+{ "classname" "worldspawn" "message" "a \"word\""
+{ (0 0 0) (0 1 0) (0 0 1) wall 0 0 0 1 1
+(0 0 0) (0 0 1) (1 0 0) *water [ 1 0 0 0 ] [ 0 -1 0 .5 ] 0 1 1
+(0 0 0) (1 0 0) (0 1 0) hint 0 0 0 1 1 134217728 256 0
+(8.5 0 0) (0 0 8) (0 8 0) {x 0 0 nan 1 1 // more
+} { patchDef2 { some/texture ( 3 3 0 0 0 ) } } }
+{ "classname" "light" "origin" "1 -2.5 1e1" }
+"#;
 
 /// What every graph promises, whatever it was read from.
 fn assert_valid(graph: &PortalGraph) {
@@ -34,6 +45,15 @@ fn assert_valid(graph: &PortalGraph) {
 fn parse(bytes: &[u8]) {
     if let Err(error) = prt::read(bytes) {
         assert!(error.line >= 1 && !error.to_string().contains('\n'));
+    }
+    match read_level("x", bytes, LevelOptions::default()) {
+        Ok(level) => {
+            for brush in &level.brushes {
+                assert!(brush.faces.len() >= 4 && brush.entity < level.entities.len());
+            }
+            assert!(level.warnings.iter().all(|w| w.line >= 1 && !w.to_string().contains('\n')));
+        }
+        Err(error) => assert!(error.line().is_some() && !error.to_string().contains('\n')),
     }
     let _ = SceneFile::read(bytes);
     let _ = PvsReport::read(bytes);
@@ -69,7 +89,7 @@ fn files() -> Vec<Vec<u8>> {
     let q3 = "PRT1\n2\n1\n1\n3 0 1 0 (0 0 0 ) (1 0 0 ) (0 1 0 )\n3 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
     let am = "PRT1-AM\n2\n1\n2\n3 0 1 (0 0 0 ) (1 0 .5 ) (0 1 0 )\n0\n1\n";
     let headless = "2\n1\n1\n2\n3 0 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
-    let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result()];
+    let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result(), MAP];
     let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
     files.extend([npy, level([1, 3, 7, 15]), quake2, quake3]);
     files
@@ -134,6 +154,8 @@ fn the_undamaged_files_are_read() {
     let levels = files.iter().filter(|bytes| Visibility::read(bytes).is_ok()).count();
     let others = files.iter().filter(|b| PvsReport::read(b).is_ok() || NpyMatrix::read(b).is_ok());
     assert_eq!((graphs, levels, others.count()), (5, 3, 2));
+    let source = read_level("x", MAP.as_bytes(), LevelOptions::default()).unwrap();
+    assert_eq!((source.brushes.len(), source.warnings.len()), (1, 2));
 }
 
 #[test]
@@ -196,6 +218,11 @@ fn word() -> impl Strategy<Value = &'static str> {
         ":",
         "\"",
         "\"about\"",
+        "\"origin\"",
+        "patchDef2",
+        "brushDef",
+        "(0 0 0) (0 1 0) (0 0 1) hint 0 0 0 1 1",
+        "//",
         "\"format\"",
         "\"stabline-scene/1\"",
         "\"cells\"",

@@ -44,8 +44,8 @@ fn is_planar_and_strictly_convex(polygon: &[Vector]) -> bool {
 
 fn pieces(graph: &PortalGraph) -> Vec<Vec<Vector>> {
     let grid = |vertex: &u32| {
-        let coordinates = &graph.vertices[*vertex as usize].coordinates;
-        [0, 1, 2].map(|axis| i64::try_from(&coordinates[axis]).unwrap())
+        let numerators = graph.vertices[*vertex as usize].numerators();
+        [0, 1, 2].map(|axis| i64::try_from(&numerators[axis]).unwrap())
     };
     graph.portals.iter().map(|portal| portal.vertices.iter().map(grid).collect()).collect()
 }

@@ -8,7 +8,7 @@ mod support;
 
 use num_traits::{One, Signed, Zero};
 use stabline::num::{Int, Rational, parse_decimal};
-use stabline::oracle;
+use stabline::oracle::{self, Random};
 use stabline::pvs::{self, Finished, Options};
 use stabline::report::{Matrix, Silent, Verdict};
 use stabline::scene::{CellOrder, PortalGraph};
@@ -67,8 +67,9 @@ fn crossed_doors(low: i64, high: i64) -> PortalGraph {
 fn doors_met_in_the_wrong_order_are_not_open() {
     for (low, high, expected) in [(-8, -2, Verdict::Open), (2, 8, Verdict::Grazing)] {
         let graph = crossed_doors(low, high);
-        let doors: Vec<_> = gates(&graph).into_iter().map(|gate| gate.vertices).collect();
-        let by_sides_alone = oracle::classify(&doors);
+        let doors = gates(&graph);
+        let doors: Vec<_> = doors.iter().map(|gate| gate.vertices.as_slice()).collect();
+        let by_sides_alone = oracle::classify(&oracle::on_common_grid(&doors).1);
         assert!(matches!(by_sides_alone, oracle::Truth::Open(_)), "{low} to {high}");
         let mut matrix = checked(&graph, &Options::default(), "crossed doors");
         assert_is_twin(&matrix, &graph, "crossed doors");
@@ -175,4 +176,68 @@ fn wide_coordinates_decide_as_narrow_ones_do() {
             }
         }
     }
+}
+
+#[test]
+fn vertices_without_a_common_grid_decide_as_the_twin_does() {
+    let mut open = 0;
+    for family in Family::ALL {
+        let start = std::time::Instant::now();
+        for seed in seeds(5) {
+            for bits in [20, 60] {
+                let name = format!("{family:?} {seed}, {bits} bits");
+                let moved = Graph::random(family, 9000 + seed).shaken(&mut Random::new(seed), bits);
+                let graph = moved.validated();
+                if graph.portals.len() > 2 {
+                    assert_eq!(graph.small_grid(), None, "{name}");
+                }
+                let matrix = checked(&graph, &Options::default(), &name);
+                // The twin's numbers are as long as a sequence: of the others the small graphs only.
+                let is_planar = matches!(family, Family::Rooms | Family::Convex);
+                if is_planar || graph.portals.len() <= 5 {
+                    open += assert_is_twin(&matrix, &graph, &name);
+                }
+                let options = Options { without_filters: true, ..Options::default() };
+                assert_eq!(checked(&graph, &options, &name), matrix, "{name} without filters");
+                for scale in ["1/3", "7/11", "1/2305843009213693951"] {
+                    let none = [(); 3].map(|()| Rational::zero());
+                    let scaled = moved.scaled(&parse_decimal(scale).unwrap(), &none).validated();
+                    let name = format!("{name}, scaled by {scale}");
+                    assert_eq!(checked(&scaled, &Options::default(), &name), matrix, "{name}");
+                }
+            }
+        }
+        println!("{family:?}: {:?}", start.elapsed());
+    }
+    assert!(open > 0, "nothing is open");
+}
+
+#[test]
+fn grazing_pairs_without_a_common_grid_are_those_of_the_twin() {
+    let mut grazing = 0;
+    for family in [Family::Rooms, Family::Convex] {
+        for seed in seeds(4) {
+            let name = format!("{family:?} {seed}");
+            // Only the first portal is moved: the others still share walls and edges.
+            let mut graph = Graph::random(family, 7000 + seed);
+            let moved = graph.shaken(&mut Random::new(seed), 40);
+            graph.portals.splice(..1, moved.portals.into_iter().take(1));
+            let graph = graph.validated();
+            if graph.portals.len() > 8 || graph.portals.is_empty() {
+                continue;
+            }
+            let mut matrix = checked(&graph, &Options::default(), &name);
+            assert!(pvs::classify_grazing(&graph, &mut matrix, None, &Silent), "{name}");
+            for (a, row) in
+                oracle::touched_pairs(graph.cells.len(), &gates(&graph)).iter().enumerate()
+            {
+                for (b, &touched) in row.iter().enumerate() {
+                    let verdict = matrix.get(a, b);
+                    assert_eq!(verdict != Verdict::NotOpen, touched, "{name}: {a} -> {b}");
+                    grazing += u32::from(verdict == Verdict::Grazing);
+                }
+            }
+        }
+    }
+    assert!(grazing > 0, "no pair is grazing");
 }

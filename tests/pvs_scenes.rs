@@ -6,8 +6,8 @@
 
 mod support;
 
-use stabline::geom::BigPoint3;
-use stabline::oracle::{Truth, classify};
+use stabline::geom::RationalPoint3;
+use stabline::oracle::{Truth, classify, on_common_grid};
 use stabline::pvs::{Options, assemble, compute};
 use stabline::report::{Silent, Verdict};
 use stabline::scene::{CellId, PortalGraph, read_graph};
@@ -25,7 +25,7 @@ enum Sight {
 
 struct Twin<'a> {
     graph: &'a PortalGraph,
-    sequence: Vec<Vec<BigPoint3>>,
+    sequence: Vec<Vec<RationalPoint3>>,
     entered: Vec<bool>,
     sights: Vec<Sight>,
 }
@@ -48,8 +48,7 @@ impl Twin<'_> {
         self.sights[index] = self.sights[index].max(sight);
         self.entered[index] = true;
         for portal in &self.graph.portals {
-            let mut corners: Vec<BigPoint3> =
-                portal.vertices.iter().map(|&v| self.graph.vertices[v as usize].clone()).collect();
+            let mut corners: Vec<RationalPoint3> = self.graph.corners(portal).cloned().collect();
             let next = if portal.from == cell {
                 portal.to
             } else if portal.to == cell {
@@ -62,7 +61,9 @@ impl Twin<'_> {
                 continue;
             }
             self.sequence.push(corners);
-            match classify(&self.sequence) {
+            let sequence: Vec<&[RationalPoint3]> =
+                self.sequence.iter().map(Vec::as_slice).collect();
+            match classify(&on_common_grid(&sequence).1) {
                 Truth::Open(_) => self.enter(next, Sight::Open),
                 Truth::Grazing(_) => self.enter(next, Sight::Grazing),
                 // More portals let no more lines through.

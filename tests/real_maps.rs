@@ -28,7 +28,7 @@ fn every_portal_file_becomes_a_graph() {
             "{map}: read {read:?}, order {:?}, grid {}, {} vertices, {} portals, {} cells not convex, \
              {} pairs, {:?}",
             start.elapsed() - read,
-            graph.denominator,
+            graph.small_grid().expect("six decimals").denominator,
             graph.vertices.len(),
             graph.portals.len(),
             order.nonconvex_cells,

@@ -8,6 +8,7 @@ pub mod blake3;
 pub mod bsp;
 pub mod json;
 pub mod lines;
+pub mod map;
 pub mod npy;
 pub mod prt;
 pub mod sequence;

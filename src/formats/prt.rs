@@ -19,10 +19,12 @@
 mod reader;
 #[cfg(test)]
 mod tests;
+mod writer;
 
 use crate::num::{DecimalError, Number};
 
 pub use reader::read;
+pub use writer::{PrtWriteError, write};
 
 /// Which of the dialects a file is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

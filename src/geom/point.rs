@@ -5,7 +5,7 @@
 //! integers. The small ones are kept as integers, because the predicates on points decide in
 //! integers at once (`docs/predicates.md` says why: a float stage does not pay there).
 
-use crate::num::Int;
+use crate::num::{Int, Number, Rational};
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
@@ -102,6 +102,9 @@ impl RationalPoint3 {
         if denominator < Int::ZERO {
             divisor = -divisor;
         }
+        if divisor == Int::from(1) {
+            return RationalPoint3 { numerators, denominator };
+        }
         RationalPoint3 {
             numerators: numerators.map(|c| c / &divisor),
             denominator: denominator / &divisor,
@@ -116,6 +119,53 @@ impl RationalPoint3 {
     /// The least positive common denominator of x, y and z.
     pub fn denominator(&self) -> &Int {
         &self.denominator
+    }
+
+    /// The lowest common denominator of some points, 1 for none.
+    pub fn common_denominator<'a>(points: impl IntoIterator<Item = &'a RationalPoint3>) -> Int {
+        points.into_iter().fold(Int::from(1), |common, point| point.common_with(common))
+    }
+
+    /// The lowest common multiple of the denominator and `common`.
+    pub fn common_with(&self, common: Int) -> Int {
+        // Mostly equal to one met before, and a remainder costs less than a common divisor.
+        if common.is_multiple_of(&self.denominator) {
+            common
+        } else {
+            common.lcm(&self.denominator)
+        }
+    }
+
+    /// The point in units of `1 / grid`.
+    ///
+    /// Requires: `grid` is a multiple of the denominator.
+    pub fn on_grid(&self, grid: &Int) -> BigPoint3 {
+        debug_assert!(grid.is_multiple_of(&self.denominator), "the point is off the grid");
+        if *grid == self.denominator {
+            return BigPoint3 { coordinates: self.numerators.clone() };
+        }
+        let scale = grid / &self.denominator;
+        BigPoint3 { coordinates: self.numerators.each_ref().map(|c| c * &scale) }
+    }
+
+    /// x, y and z, each in lowest terms.
+    pub fn coordinates(&self) -> [Rational; 3] {
+        self.numerators.each_ref().map(|c| Rational::new(c.clone(), self.denominator.clone()))
+    }
+}
+
+impl From<&RationalPoint3> for [Number; 3] {
+    fn from(point: &RationalPoint3) -> [Number; 3] {
+        point.coordinates().map(Number::from)
+    }
+}
+
+impl From<&[Rational; 3]> for RationalPoint3 {
+    fn from(coordinates: &[Rational; 3]) -> RationalPoint3 {
+        let denominator = coordinates.iter().fold(Int::from(1), |common, c| common.lcm(c.denom()));
+        // The lowest common denominator of fractions in lowest terms leaves no common divisor.
+        let numerators = coordinates.each_ref().map(|c| c.numer() * (&denominator / c.denom()));
+        RationalPoint3 { numerators, denominator }
     }
 }
 
@@ -163,6 +213,22 @@ mod tests {
         assert_eq!(point([2, -4, 6], -2), point([-1, 2, -3], 1));
         assert_eq!(point([3, 0, 1], 6).denominator(), &Int::from(6));
         assert_eq!(point([0, 0, 0], -7).denominator(), &Int::from(1));
+        let sixths = point([3, -1, 10], 6);
+        assert_eq!(RationalPoint3::from(&sixths.coordinates()), sixths);
+        let numbers = <[Number; 3]>::from(&sixths);
+        assert_eq!(numbers, [Number::Small(1, 2), Number::Small(-1, 6), Number::Small(5, 3)]);
+    }
+
+    #[test]
+    fn a_common_grid_holds_every_point() {
+        let points = [([1, 2, 3], 4), ([5, 0, -1], 6), ([7, 7, 7], 1)]
+            .map(|(n, d): ([i64; 3], i64)| RationalPoint3::new(n.map(Int::from), Int::from(d)));
+        let grid = RationalPoint3::common_denominator(&points);
+        assert_eq!(grid, Int::from(12));
+        for point in &points {
+            let scaled = RationalPoint3::new(point.on_grid(&grid).coordinates, grid.clone());
+            assert_eq!(&scaled, point);
+        }
     }
 
     #[test]

@@ -13,5 +13,5 @@ mod sequence;
 
 pub use families::{Family, Random, sequence, sequence_2d};
 pub use plane::{PlaneTruth, classify_2d};
-pub use pvs::{Gate, open_pairs, touched_pairs};
+pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};

@@ -15,7 +15,7 @@
 //! Complexity: as many decisions as there are open sequences, times the portals of a cell.
 
 use super::sequence::{LinePoints, Truth, classify, open_in_order};
-use crate::geom::BigPoint3;
+use crate::geom::{BigPoint3, RationalPoint3};
 use crate::num::{Int, Rational};
 use num_traits::{Signed, Zero};
 
@@ -27,7 +27,7 @@ pub struct Gate {
     /// The cell that a line enters through it.
     pub to: usize,
     /// Its vertices, counter-clockwise as seen from the cell that a line enters.
-    pub vertices: Vec<BigPoint3>,
+    pub vertices: Vec<RationalPoint3>,
 }
 
 impl Gate {
@@ -85,7 +85,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     /// Goes on from `cell`, which the portals of `path` lead to, open by `line`.
-    fn on(&mut self, cell: usize, path: &mut Vec<&'a [BigPoint3]>, line: Option<&Line>) {
+    fn on(&mut self, cell: usize, path: &mut Vec<&'a [RationalPoint3]>, line: Option<&Line>) {
         let crossings = self.crossings;
         for crossing in crossings.iter().filter(|crossing| crossing.from == cell) {
             if self.crossed.contains(&crossing.to) || !self.leads_to_unseen(crossing.to) {
@@ -123,19 +123,24 @@ impl<'a> Walk<'a> {
     }
 }
 
-fn decide(path: &[&[BigPoint3]]) -> Option<Line> {
-    open_in_order(&owned(path)).map(|points| Line::through(&points))
+fn decide(path: &[&[RationalPoint3]]) -> Option<Line> {
+    let (grid, portals) = on_common_grid(path);
+    open_in_order(&portals).map(|points| Line::through(&points, &Rational::from(grid)))
 }
 
-fn touches(path: &[&[BigPoint3]]) -> bool {
-    match classify(&owned(path)) {
+fn touches(path: &[&[RationalPoint3]]) -> bool {
+    match classify(&on_common_grid(path).1) {
         Truth::Open(_) | Truth::Grazing(_) => true,
         Truth::Blocked => false,
     }
 }
 
-fn owned(path: &[&[BigPoint3]]) -> Vec<Vec<BigPoint3>> {
-    path.iter().map(|portal| portal.to_vec()).collect()
+/// A sequence of polygons on the grid of their lowest common denominator, and that.
+pub fn on_common_grid(path: &[&[RationalPoint3]]) -> (Int, Vec<Vec<BigPoint3>>) {
+    let grid = RationalPoint3::common_denominator(path.iter().copied().flatten());
+    let portal = |portal: &&[RationalPoint3]| portal.iter().map(|v| v.on_grid(&grid)).collect();
+    let portals = path.iter().map(portal).collect();
+    (grid, portals)
 }
 
 /// A point and a direction.
@@ -146,14 +151,15 @@ struct Line {
 }
 
 impl Line {
-    fn through([p, q]: &LinePoints) -> Line {
+    /// The line through two points of a grid, in world units.
+    fn through([p, q]: &LinePoints, grid: &Rational) -> Line {
         let rational = |i: usize| (p[i].rational_part(), q[i].rational_part());
-        let point = [0, 1, 2].map(|i| rational(i).0.clone());
+        let point = [0, 1, 2].map(|i| rational(i).0 / grid);
         Line { point, direction: [0, 1, 2].map(|i| rational(i).1 - rational(i).0) }
     }
 
     /// Whether the line crosses every portal inside, forwards, each plane after the one before.
-    fn stabs(&self, path: &[&[BigPoint3]]) -> bool {
+    fn stabs(&self, path: &[&[RationalPoint3]]) -> bool {
         let mut last: Option<Rational> = None;
         path.iter().all(|portal| {
             let Some(at) = self.crossing(portal) else { return false };
@@ -164,9 +170,10 @@ impl Line {
     }
 
     /// The line's parameter where it crosses the inside of the portal forwards.
-    fn crossing(&self, portal: &[BigPoint3]) -> Option<Rational> {
-        let arm = |vertex: &BigPoint3| {
-            [0, 1, 2].map(|i| Rational::from(vertex.coordinates[i].clone()) - &self.point[i])
+    fn crossing(&self, portal: &[RationalPoint3]) -> Option<Rational> {
+        let arm = |vertex: &RationalPoint3| {
+            let coordinates = vertex.coordinates();
+            [0, 1, 2].map(|i| &coordinates[i] - &self.point[i])
         };
         let arms: Vec<[Rational; 3]> = portal.iter().map(arm).collect();
         let zero = || [(); 3].map(|()| Rational::zero());

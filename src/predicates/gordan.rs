@@ -12,7 +12,7 @@
 //!                            but Σ λ side(x, e) = side(x, 0) = 0
 //! ```
 
-use crate::geom::Point3;
+use crate::geom::{Point3, RationalPoint3};
 use crate::num::{Int, Sign};
 use num_traits::{One, Signed, Zero};
 
@@ -30,16 +30,34 @@ const U: f64 = f64::EPSILON / 2.0;
 /// 2. unchanged by translation and by reversing *all* lines;
 /// 3. unchanged by moving the two points of a line along it, in the same direction.
 ///
-/// `big` gives the same lines by unbounded coordinates, for the exact stage.
-///
 /// Contract: exact, degree 9, unperturbed
 ///
 /// Source: Gordan 1873; bounds of the filter after Rump 2010 (residual of an approximate inverse).
-pub fn exclude_each_other(lines: &[[Point3; 2]], big: impl Fn() -> Vec<[[Int; 3]; 2]>) -> bool {
+pub fn exclude_each_other(lines: &[[Point3; 2]]) -> bool {
     match exclude_each_other_filter(lines) {
         Some(Sign::Positive) => true,
-        Some(Sign::Zero | Sign::Negative) | None => exclude_each_other_exact(&big()),
+        Some(Sign::Zero | Sign::Negative) | None => {
+            let big = |point: &Point3| point.integers().map(Int::from);
+            let lines: Vec<_> = lines.iter().map(|line| line.each_ref().map(big)).collect();
+            exclude_each_other_exact(&lines)
+        }
     }
+}
+
+/// [`exclude_each_other`] of lines through rational points. A line's vector counts up to a positive
+/// factor, so each is taken times the denominators of its own two points.
+pub fn exclude_each_other_rational<'a>(
+    lines: impl Iterator<Item = [&'a RationalPoint3; 2]>,
+) -> bool {
+    let columns: Vec<[Int; 6]> = lines
+        .map(|[a, b]| {
+            let (p, q) = (a.numerators(), b.numerators());
+            let d = |i: usize| &q[i] * a.denominator() - &p[i] * b.denominator();
+            let m = |i: usize, j: usize| &p[i] * &q[j] - &p[j] * &q[i];
+            [d(0), d(1), d(2), m(1, 2), m(2, 0), m(0, 1)]
+        })
+        .collect();
+    only_dependency_is_one_signed(&columns)
 }
 
 /// The filter: `Some(Positive)` where seven lines provably exclude each other with all weights

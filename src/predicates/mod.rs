@@ -34,6 +34,7 @@ mod plane;
 mod ring;
 #[cfg(test)]
 mod tests;
+mod vertex;
 
 pub use along::{
     compare_along_line, compare_along_line_big, compare_along_line_exact, compare_crossings,
@@ -51,9 +52,14 @@ pub use lines4::{
 };
 pub use meets::{side_of_meets, side_of_meets_big, side_of_meets_exact, side_of_meets_filter};
 pub use orient::{
-    orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact, orient3d_filter,
+    orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact,
+    orient3d_filter, orient3d_rational,
 };
 pub use plane::{
     side_of_plane, side_of_plane_big, side_of_plane_exact, vertex_side_of_plane,
     vertex_side_of_plane_big, vertex_side_of_plane_exact,
+};
+pub use vertex::{
+    Vertex, VertexPlane, side_of_point, side_of_vertex, side_of_vertex_big, side_of_vertex_exact,
+    side_of_vertex_filter,
 };

@@ -3,8 +3,8 @@
 use super::budget::{Budget, ORIENT2D, ORIENT3D, RESIDUE_BITS};
 use super::counters::{Predicate, Stage, record};
 use super::ring::{Residue, cross, determinant, difference, dot, each, sign_of_i128};
-use crate::geom::{BigPoint2, BigPoint3, Point2, Point3};
-use crate::num::{Int192, Sign};
+use crate::geom::{BigPoint2, BigPoint3, Point2, Point3, RationalPoint3};
+use crate::num::{Int, Int192, Sign};
 
 /// Whether `a`, `b`, `c` turn left.
 ///
@@ -184,4 +184,21 @@ pub fn orient3d_big(a: &BigPoint3, b: &BigPoint3, c: &BigPoint3, d: &BigPoint3) 
     record(Predicate::Orient3d, Stage::Big);
     let [a, b, c, d] = [a, b, c, d].map(|p| &p.coordinates);
     Sign::of(&determinant(a, b, c, d))
+}
+
+/// [`orient3d`] on rational coordinates, without a common denominator of all four: each difference
+/// is taken times the two denominators that it has, which are positive.
+pub fn orient3d_rational(
+    a: &RationalPoint3,
+    b: &RationalPoint3,
+    c: &RationalPoint3,
+    d: &RationalPoint3,
+) -> Sign {
+    record(Predicate::Orient3d, Stage::Big);
+    let arm = |p: &RationalPoint3| -> [Int; 3] {
+        std::array::from_fn(|i| {
+            &p.numerators()[i] * a.denominator() - &a.numerators()[i] * p.denominator()
+        })
+    };
+    Sign::of(&dot(&cross(&arm(b), &arm(c)), &arm(d)))
 }

@@ -6,7 +6,9 @@ use super::budget::{
 };
 use super::ring::{cross, determinant, difference, dot};
 use super::*;
-use crate::geom::{BigLine, BigPlane, BigPoint2, BigPoint3, Line, Plane, Point2, Point3};
+use crate::geom::{
+    BigLine, BigPlane, BigPoint2, BigPoint3, Line, Plane, Point2, Point3, RationalPoint3,
+};
 use crate::num::{Int, Sign};
 use num_traits::Signed;
 use proptest::prelude::*;
@@ -362,4 +364,36 @@ fn movements(random: &mut Random) -> [Movement; 5] {
         linear([[0, 1, 0], [1, 0, 0], [0, 0, 1]], Sign::Negative),
         linear([[0, -1, 0], [1, 0, 0], [0, 0, 1]], Sign::Positive),
     ]
+}
+
+#[test]
+fn rational_points_decide_as_on_a_common_grid() {
+    let mut random = Random(7);
+    let (mut signs, mut excluded) = ([0; 3], 0);
+    for _ in 0..4000 {
+        let points: Vec<RationalPoint3> = (0..14)
+            .map(|_| {
+                let numerators = [(); 3].map(|()| Int::from(random.within(-4, 4)));
+                RationalPoint3::new(numerators, Int::from(random.within(1, 3)))
+            })
+            .collect();
+        let grid = RationalPoint3::common_denominator(&points);
+        let whole: Vec<BigPoint3> = points.iter().map(|point| point.on_grid(&grid)).collect();
+        let sign = orient3d_rational(&points[0], &points[1], &points[2], &points[3]);
+        assert_eq!(sign, orient3d_big(&whole[0], &whole[1], &whole[2], &whole[3]));
+        signs[match sign {
+            Sign::Negative => 0,
+            Sign::Zero => 1,
+            Sign::Positive => 2,
+        }] += 1;
+        let lines: Vec<[[Int; 3]; 2]> = whole
+            .chunks_exact(2)
+            .map(|ends| [0, 1].map(|end| ends[end].coordinates.clone()))
+            .collect();
+        let excludes =
+            gordan::exclude_each_other_rational(points.chunks_exact(2).map(|e| [&e[0], &e[1]]));
+        assert_eq!(excludes, gordan::exclude_each_other_exact(&lines));
+        excluded += u32::from(excludes);
+    }
+    assert!(signs.iter().all(|&count| count > 0) && excluded > 0, "{signs:?}, {excluded}");
 }

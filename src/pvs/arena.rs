@@ -15,6 +15,7 @@ use crate::scene::{CellOrder, PortalGraph, PortalId};
 use crate::stab::Portal3;
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 /// A portal with a direction of crossing.
@@ -67,34 +68,14 @@ struct Span {
     to: u32,
 }
 
-/// A directed portal for the exact stabber, made when it is first asked for.
+/// A directed portal for the exact stabber, each made when it is first asked for; `None` where its
+/// vertices are off the grid.
 #[derive(Default)]
 struct ExactPortal {
-    /// In grid units.
-    fine: OnceLock<Portal3>,
-    /// In world units, if its vertices have whole coordinates there.
-    coarse: OnceLock<Option<Portal3>>,
-}
-
-impl ExactPortal {
-    fn fine(&self, arena: &Arena, portal: Directed) -> &Portal3 {
-        self.fine
-            .get_or_init(|| validated(arena.vertices(portal).iter().map(|&v| arena.grid.point(v))))
-    }
-
-    fn coarse(&self, arena: &Arena, portal: Directed) -> Option<&Portal3> {
-        let made = self.coarse.get_or_init(|| {
-            let points = arena.vertices(portal).iter().map(|&v| arena.grid.world_point(v));
-            let points: Option<Vec<BigPoint3>> = points.collect();
-            points.map(|points| validated(points.into_iter()))
-        });
-        made.as_ref()
-    }
-}
-
-fn validated(points: impl Iterator<Item = BigPoint3>) -> Portal3 {
-    let points: Vec<BigPoint3> = points.collect();
-    Portal3::new(&points).expect("a validated graph has planar convex portals")
+    /// In world units.
+    whole: OnceLock<Option<Portal3>>,
+    /// In units of the grid.
+    on_grid: OnceLock<Option<Portal3>>,
 }
 
 /// The search's view of a portal graph.
@@ -131,8 +112,7 @@ impl Arena {
 
     fn bounded(graph: &PortalGraph, bound: impl Fn(&[Approx3]) -> Bound) -> Arena {
         let grid = Grid::new(graph);
-        let points: Vec<Approx3> =
-            (0..graph.vertices.len()).map(|vertex| grid.approximate(vertex as u32)).collect();
+        let points: Vec<Approx3> = graph.vertices.iter().map(Grid::approximate).collect();
         let mut arena = Arena {
             bound: bound(&points),
             points,
@@ -255,9 +235,16 @@ impl Arena {
         &self.planes[portal as usize]
     }
 
-    /// The plane of `portal`, exact, in units of `1 / scale` of the grid's.
-    pub fn exact_plane_of(&self, portal: Directed, scale: &Int) -> crate::geom::BigPlane {
-        self.grid.plane(self.planes[portal as usize].through, scale)
+    /// The order in which the line through two points, of world coordinates `points` · 2^-bits,
+    /// crosses the planes of two portals; see [`Grid::compare_crossings`].
+    pub fn compare_crossings(
+        &self,
+        points: [[i64; 3]; 2],
+        bits: u32,
+        portals: [Directed; 2],
+    ) -> Option<Sign> {
+        let planes = portals.map(|portal| self.planes[portal as usize].through);
+        self.grid.compare_crossings(points, bits, planes)
     }
 
     /// The plane through three vertices; the positive side sees them counter-clockwise.
@@ -297,19 +284,42 @@ impl Arena {
         !self.order.is_implied(PortalId(first / 2), PortalId(second / 2))
     }
 
-    /// The portals of a sequence for the exact stabber, in world units if all of their vertices
-    /// have whole coordinates there (small numbers are quick), else in grid units; and how many of
-    /// these units make one world unit.
-    pub fn exact_portals(&self, path: &[Directed]) -> (Vec<&Portal3>, Int) {
-        let coarse: Option<Vec<&Portal3>> =
-            path.iter().map(|&portal| self.exact[portal as usize].coarse(self, portal)).collect();
-        match coarse {
-            Some(portals) => (portals, Int::from(1)),
-            None => {
-                let fine = |&portal: &Directed| self.exact[portal as usize].fine(self, portal);
-                (path.iter().map(fine).collect(), self.grid.denominator().clone())
-            }
+    /// The portals of a sequence for the exact stabber, and how many of their units make one world
+    /// unit: world units if all of their vertices have whole coordinates there (small numbers are
+    /// quick), else those of the grid, or where a vertex is off it, of the vertices' lowest common
+    /// denominator.
+    pub fn exact_portals(&self, path: &[Directed]) -> (Vec<Cow<'_, Portal3>>, Int) {
+        let one = Int::from(1);
+        let whole = |&portal: &Directed| {
+            let made = &self.exact[portal as usize].whole;
+            made.get_or_init(|| self.exact_portal(portal, &one)).as_ref().map(Cow::Borrowed)
+        };
+        if let Some(portals) = path.iter().map(whole).collect() {
+            return (portals, one);
         }
+        let grid = self.grid.denominator();
+        let on_grid = |&portal: &Directed| {
+            let made = &self.exact[portal as usize].on_grid;
+            made.get_or_init(|| self.exact_portal(portal, grid)).as_ref().map(Cow::Borrowed)
+        };
+        if let Some(portals) = path.iter().map(on_grid).collect() {
+            return (portals, grid.clone());
+        }
+        let vertices = path.iter().flat_map(|&portal| self.vertices(portal));
+        let common = self.grid.denominator_of(vertices.copied());
+        let scaled = |&portal: &Directed| self.exact_portal(portal, &common).map(Cow::Owned);
+        let portals: Option<Vec<_>> = path.iter().map(scaled).collect();
+        (portals.expect("a common denominator holds all vertices"), common)
+    }
+
+    /// A portal in units of `1 / denominator`, if its vertices are multiples of it.
+    fn exact_portal(&self, portal: Directed, denominator: &Int) -> Option<Portal3> {
+        let points = self.vertices(portal).iter().map(|&vertex| {
+            let vertex = self.grid.vertex(vertex);
+            denominator.is_multiple_of(vertex.denominator()).then(|| vertex.on_grid(denominator))
+        });
+        let points: Vec<BigPoint3> = points.collect::<Option<_>>()?;
+        Some(Portal3::new(&points).expect("a validated graph has planar convex portals"))
     }
 
     /// An empty set of directed portals.

@@ -137,7 +137,7 @@ impl<'a> Decider<'a> {
         let (portals, per_world) = self.arena.exact_portals(path);
         let edge = |place: usize| {
             let edge = self.cone.edge(place);
-            (portals[edge.position], edge.edge)
+            (&*portals[edge.position], edge.edge)
         };
         if let Some(six) = self.cone.six(&places)
             && six_edges_exclude_lines(six.map(edge))
@@ -172,7 +172,7 @@ impl<'a> Decider<'a> {
         tally.cones += 1;
         let (portals, per_world) = self.arena.exact_portals(path);
         let mut stabber = Stabber::new();
-        for (i, portal) in portals.into_iter().enumerate() {
+        for (i, portal) in portals.iter().enumerate() {
             stabber.push(portal, i > 0 && self.arena.needs_order(path[i - 1], path[i]));
         }
         match stabber.witness() {

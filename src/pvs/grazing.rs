@@ -22,13 +22,14 @@
 //! every wall, so the number of sequences can be exponential in the number of coplanar portals.
 
 mod bounds;
+mod touching;
 
 use self::bounds::{ClosedBounds, Flood};
+use self::touching::{GridLine, Touching};
 use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::PortalGraph;
-use crate::stab::{ClosedPortal, TouchingLine};
 use rayon::prelude::*;
 
 /// Splits the pairs that are not open into grazing and blocked.
@@ -44,16 +45,14 @@ pub fn classify_grazing(
     let arena = Arena::new(graph);
     progress.begin("grazing bound", bounds::STAGES);
     let Some(bounds) = ClosedBounds::new(&arena, progress) else { return false };
-    let all: Vec<Directed> = (0..arena.directed()).collect();
-    let (portals, _) = arena.exact_portals(&all);
-    let portals: Vec<ClosedPortal> = portals.into_iter().map(ClosedPortal::new).collect();
+    let touching = Touching::new(&arena);
     let sources = plan(&arena, &bounds, matrix);
     progress.begin("grazing pairs", sources.iter().map(Source::work).sum());
     let rows: Option<Vec<Touched>> = sources
         .par_iter()
         .with_max_len(1)
         .map(|source| {
-            let row = Walk::new(&arena, &bounds, &portals, budget, progress).from(source);
+            let row = Walk::new(&arena, &bounds, &touching, budget, progress).from(source);
             progress.advance(source.work());
             row
         })
@@ -114,13 +113,13 @@ struct Touched {
 /// What belongs to one portal of the current sequence.
 struct Level {
     might: Bits,
-    line: TouchingLine,
+    line: GridLine,
 }
 
 struct Walk<'a> {
     arena: &'a Arena,
     bounds: &'a ClosedBounds,
-    portals: &'a [ClosedPortal],
+    touching: &'a Touching<'a>,
     budget: Option<u64>,
     progress: &'a dyn Progress,
     path: Vec<Directed>,
@@ -143,14 +142,14 @@ impl<'a> Walk<'a> {
     fn new(
         arena: &'a Arena,
         bounds: &'a ClosedBounds,
-        portals: &'a [ClosedPortal],
+        touching: &'a Touching<'a>,
         budget: Option<u64>,
         progress: &'a dyn Progress,
     ) -> Walk<'a> {
         Walk {
             arena,
             bounds,
-            portals,
+            touching,
             budget,
             progress,
             path: Vec::new(),
@@ -279,15 +278,9 @@ impl<'a> Walk<'a> {
 
     /// A line that touches the sequence, which now ends with `next`: the one of the sequence
     /// before, if it does.
-    fn touching_line(&self, next: Directed) -> Option<TouchingLine> {
+    fn touching_line(&self, next: Directed) -> Option<GridLine> {
         let before = self.levels.last().map(|level| &level.line);
-        if let Some(line) = before
-            && line.touches(&self.portals[next as usize])
-        {
-            return Some(line.clone());
-        }
-        let portals: Vec<&ClosedPortal> =
-            self.path.iter().map(|&portal| &self.portals[portal as usize]).collect();
-        TouchingLine::of(&portals)
+        let kept = before.filter(|line| self.touching.touches(line, next));
+        kept.cloned().or_else(|| self.touching.line(&self.path))
     }
 }

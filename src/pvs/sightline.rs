@@ -1,8 +1,7 @@
 //! Sightlines: exact lines that prove pairs open, and their check.
 
 use super::arena::{Arena, Directed};
-use crate::num::{Int, Number, Rational, Sign};
-use crate::predicates::compare_crossings_big;
+use crate::num::{Number, Rational, Sign};
 use crate::predicates::filtered::{Approx3, FilteredLine};
 
 /// A directed line through two distinct points, in world coordinates.
@@ -102,10 +101,7 @@ impl Ray {
         if !arena.needs_order(first, second) {
             return true;
         }
-        let scale = Int::from(1u64 << self.bits);
-        let planes = [first, second].map(|portal| arena.exact_plane_of(portal, &scale));
-        let [p, q] = self.points.map(|point| arena.grid().fine_point(point));
-        match compare_crossings_big(&p, &q, &planes[0], &planes[1]) {
+        match arena.compare_crossings(self.points, self.bits, [first, second]) {
             Some(Sign::Positive) => true,
             // Both at one point: the order of crossing is not strict.
             Some(Sign::Zero) => false,

@@ -1,17 +1,16 @@
 //! From the numbers of a file to a validated portal graph.
 //!
-//! The grid is the lowest common denominator of all coordinates, or a declared one; vertices are
-//! interned exactly, so that equal places are equal indices. Portals keep the file's order of
-//! vertices, which is counter-clockwise as seen from the second cell named. Coordinates below
-//! 2^39 grid units are worked on in 128 bits, any others as unbounded integers: the same code,
-//! the same answers. Linear in the number of vertices.
+//! Vertices are interned exactly, so that equal places are equal indices. Portals keep the file's
+//! order of vertices, which is counter-clockwise as seen from the second cell named. Where all
+//! coordinates have a common denominator and are below 2^39 in its units, they are worked on in
+//! 128 bits; otherwise each portal on the grid of its own denominators, as unbounded integers: the
+//! same code, the same answers. Linear in the number of vertices.
 
 use super::polygon::{self, Pieces};
 use super::{CellId, Portal, PortalGraph, Repairs};
-use crate::geom::BigPoint3;
+use crate::geom::RationalPoint3;
 use crate::num::{Int, Number};
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive};
 use rustc_hash::FxHashMap;
 use std::hash::Hash;
 
@@ -33,7 +32,8 @@ pub struct RawGraph {
 pub struct RawPortal {
     /// The cell that the normal leaves, and the one that it enters.
     pub cells: [u32; 2],
-    /// The vertices, counter-clockwise as seen from the second cell.
+    /// The vertices, counter-clockwise as seen from the second cell, in world units (a
+    /// [`RationalPoint3`] converts into this form).
     pub vertices: Vec<[Number; 3]>,
     /// The line of the file, where the format has one portal a line.
     pub line: Option<usize>,
@@ -75,8 +75,8 @@ pub enum SceneErrorKind {
     /// axis of its largest area.
     #[error("not convex, and its outline crosses or touches itself, so that no triangles tile it")]
     NotSimple,
-    /// Coordinates with so many different denominators that no grid of a sane size holds them.
-    #[error("the common denominator of all coordinates exceeds {limit} bits")]
+    /// Coordinates with so many different denominators that no grid of a sane size holds the portal.
+    #[error("the common denominator of the portal's coordinates exceeds {limit} bits")]
     HugeGrid {
         /// The limit.
         limit: u64,
@@ -96,24 +96,23 @@ pub enum SceneErrorKind {
 }
 
 impl PortalGraph {
-    /// Validates `raw` and brings it to the grid.
+    /// Validates `raw`.
     ///
     /// # Errors
     /// The first portal that breaks a rule.
     pub fn from_raw(raw: RawGraph) -> Result<PortalGraph, SceneError> {
         check_cells(&raw)?;
-        let denominator = grid(&raw)?;
-        let small = denominator.to_i64().and_then(|grid| small_corners(&raw.portals, grid));
-        let (vertices, shapes) = match small {
-            Some(corners) => {
-                let (vertices, shapes) = shape_all(&raw.portals, corners)?;
-                (vertices.into_iter().map(|v| v.map(Int::from)).collect(), shapes)
+        check_grid(&raw)?;
+        let (vertices, shapes) = match small_corners(&raw.portals) {
+            Some((grid, corners)) => {
+                let (vertices, shapes) = shape_all(&raw.portals, corners, polygon::shape)?;
+                let grid = Int::from(grid);
+                let point = |v: [i128; 3]| RationalPoint3::new(v.map(Int::from), grid.clone());
+                (vertices.into_iter().map(point).collect(), shapes)
             }
-            None => shape_all(&raw.portals, big_corners(&raw.portals, &denominator))?,
+            None => shape_all(&raw.portals, rational_corners(&raw.portals), shape_alone)?,
         };
-        let vertices = vertices.into_iter().map(|coordinates| BigPoint3 { coordinates }).collect();
         Ok(PortalGraph {
-            denominator,
             vertices,
             portals: shapes.portals,
             cells: raw.cells,
@@ -145,45 +144,25 @@ impl RawPortal {
     }
 }
 
-/// The lowest common denominator of all coordinates, or the declared one that all fit.
-fn grid(raw: &RawGraph) -> Result<Int, SceneError> {
-    if let Some(grid) = &raw.declared_grid {
-        for (index, portal) in raw.portals.iter().enumerate() {
-            for (vertex, corner) in portal.vertices.iter().enumerate() {
-                for number in corner {
-                    if !grid.is_multiple_of(number.to_rational().denom()) {
-                        let (got, grid) = (number.clone(), grid.clone());
-                        let kind = SceneErrorKind::OffGrid { vertex, got, grid };
-                        return Err(portal.error(index, kind));
-                    }
+/// Whether all coordinates are multiples of the declared unit, if there is one.
+fn check_grid(raw: &RawGraph) -> Result<(), SceneError> {
+    let Some(grid) = &raw.declared_grid else { return Ok(()) };
+    for (index, portal) in raw.portals.iter().enumerate() {
+        for (vertex, corner) in portal.vertices.iter().enumerate() {
+            for number in corner {
+                if !grid.is_multiple_of(number.to_rational().denom()) {
+                    let (got, grid) = (number.clone(), grid.clone());
+                    let kind = SceneErrorKind::OffGrid { vertex, got, grid };
+                    return Err(portal.error(index, kind));
                 }
             }
         }
-        return Ok(grid.clone());
     }
-    let mut common = Int::one();
-    let mut small = 1i64;
-    for (index, portal) in raw.portals.iter().enumerate() {
-        for number in portal.vertices.iter().flatten() {
-            match number {
-                Number::Small(_, denominator) if small % denominator == 0 => continue,
-                Number::Small(_, denominator) => common = common.lcm(&Int::from(*denominator)),
-                Number::Big(ratio) => common = common.lcm(ratio.denom()),
-            }
-            // Where the common denominator outgrows 64 bits, `small` stays a divisor of it, which
-            // is all that the test above needs.
-            small = common.to_i64().unwrap_or(small);
-            if common.bits() > MAX_GRID_BITS {
-                let kind = SceneErrorKind::HugeGrid { limit: MAX_GRID_BITS };
-                return Err(portal.error(index, kind));
-            }
-        }
-    }
-    Ok(common)
+    Ok(())
 }
 
-/// Room for the smallest number that is read, 1e-4096. Every coordinate is scaled by the common
-/// denominator, so one without a limit would let a small file fill the memory.
+/// Room for the smallest number that is read, 1e-4096. A portal's coordinates are scaled by their
+/// common denominator, so one without a limit would let a small file fill the memory.
 const MAX_GRID_BITS: u64 = 1 << 14;
 
 /// Below this magnitude every value that `polygon` and `order` compute fits in 128 bits: with
@@ -192,9 +171,18 @@ const MAX_GRID_BITS: u64 = 1 << 14;
 /// up to 2^40 triangles below 2^121.
 const SMALL_LIMIT: i128 = 1 << 39;
 
-fn small_corners(portals: &[RawPortal], grid: i64) -> Option<Vec<[i128; 3]>> {
-    let mut corners = Vec::with_capacity(portals.iter().map(|portal| portal.vertices.len()).sum());
-    for corner in portals.iter().flat_map(|portal| &portal.vertices) {
+/// The common denominator of all corners, and the corners in its units, if all of them are small.
+fn small_corners(portals: &[RawPortal]) -> Option<(i64, Vec<[i128; 3]>)> {
+    let corners = || portals.iter().flat_map(|portal| &portal.vertices);
+    let mut grid = 1i64;
+    for number in corners().flatten() {
+        let Number::Small(_, denominator) = number else { return None };
+        if grid % denominator != 0 {
+            grid = grid.checked_mul(denominator / grid.gcd(denominator))?;
+        }
+    }
+    let mut small = Vec::with_capacity(portals.iter().map(|portal| portal.vertices.len()).sum());
+    for corner in corners() {
         let mut scaled = [0; 3];
         for (scaled, number) in scaled.iter_mut().zip(corner) {
             let Number::Small(numerator, denominator) = number else { return None };
@@ -203,15 +191,40 @@ fn small_corners(portals: &[RawPortal], grid: i64) -> Option<Vec<[i128; 3]>> {
                 return None;
             }
         }
-        corners.push(scaled);
+        small.push(scaled);
     }
-    Some(corners)
+    Some((grid, small))
 }
 
-fn big_corners(portals: &[RawPortal], grid: &Int) -> Vec<[Int; 3]> {
+fn rational_corners(portals: &[RawPortal]) -> Vec<RationalPoint3> {
     let corners = portals.iter().flat_map(|portal| &portal.vertices);
-    let scale = |number: &Number| (number.to_rational() * grid).to_integer();
-    corners.map(|corner| [scale(&corner[0]), scale(&corner[1]), scale(&corner[2])]).collect()
+    corners.map(|corner| (&corner.each_ref().map(Number::to_rational)).into()).collect()
+}
+
+/// Shapes a polygon on the grid of its own denominators.
+fn shape_alone(
+    vertices: &[RationalPoint3],
+    corners: Vec<u32>,
+    repairs: &mut Repairs,
+) -> Result<Pieces, SceneErrorKind> {
+    let mut distinct = corners.clone();
+    distinct.sort_unstable();
+    distinct.dedup();
+    let points = || distinct.iter().map(|&corner| &vertices[corner as usize]);
+    let grid = points().try_fold(Int::from(1), |common, point| {
+        Some(point.common_with(common)).filter(|common| common.bits() <= MAX_GRID_BITS)
+    });
+    let grid = grid.ok_or(SceneErrorKind::HugeGrid { limit: MAX_GRID_BITS })?;
+    let scaled: Vec<[Int; 3]> = points().map(|point| point.on_grid(&grid).coordinates).collect();
+    let place = |corner| distinct.partition_point(|&other| other < corner) as u32;
+    let pieces = polygon::shape(&scaled, corners.into_iter().map(place).collect(), repairs)?;
+    let corner = |place: u32| distinct[place as usize];
+    let triangles = |all: Vec<[u32; 3]>| all.into_iter().map(|t| t.map(corner)).collect();
+    Ok(match pieces {
+        Pieces::Convex(polygon) => Pieces::Convex(polygon.into_iter().map(corner).collect()),
+        Pieces::Skew(all) => Pieces::Skew(triangles(all)),
+        Pieces::Dented(all) => Pieces::Dented(triangles(all)),
+    })
 }
 
 /// The portals of a graph in the making.
@@ -221,12 +234,14 @@ struct Shapes {
     repairs: Repairs,
 }
 
-/// Interns the corners (all portals' vertices in a row) and shapes every portal.
-fn shape_all<T: Signed + Clone + PartialOrd + Eq + Hash>(
+/// Interns the corners (all portals' vertices in a row) and shapes every portal by `shape`, which
+/// takes the vertices so far, and the portal's by their indices.
+fn shape_all<Corner: Clone + Eq + Hash>(
     raw: &[RawPortal],
-    corners: Vec<[T; 3]>,
-) -> Result<(Vec<[T; 3]>, Shapes), SceneError> {
-    let mut vertices: Vec<[T; 3]> = Vec::new();
+    corners: Vec<Corner>,
+    shape: impl Fn(&[Corner], Vec<u32>, &mut Repairs) -> Result<Pieces, SceneErrorKind>,
+) -> Result<(Vec<Corner>, Shapes), SceneError> {
+    let mut vertices: Vec<Corner> = Vec::new();
     let mut indices = FxHashMap::default();
     let mut shapes = Shapes {
         portals: Vec::with_capacity(raw.len()),
@@ -243,13 +258,13 @@ fn shape_all<T: Signed + Clone + PartialOrd + Eq + Hash>(
                 next
             }));
         }
-        let shape = polygon::shape(&vertices, loop_of_vertices, &mut shapes.repairs)
+        let pieces = shape(&vertices, loop_of_vertices, &mut shapes.repairs)
             .map_err(|kind| portal.error(index, kind))?;
         let [from, to] = portal.cells.map(CellId);
         let mut push = |vertices| {
             shapes.portals.push(Portal { from, to, vertices, source: index as u32 });
         };
-        match shape {
+        match pieces {
             Pieces::Convex(polygon) => push(polygon),
             Pieces::Skew(triangles) => {
                 triangles.into_iter().for_each(|triangle| push(triangle.to_vec()));

@@ -5,7 +5,7 @@
 //! as seen from the side of its cell `to`, so that its right-hand normal points from `from` into
 //! `to`; every cell id is below the cell count; the two cells of a portal differ.
 
-use crate::geom::BigPoint3;
+use crate::geom::{Point3, RationalPoint3};
 use crate::num::Int;
 
 /// A cell of a portal graph: its index in the graph.
@@ -44,11 +44,8 @@ pub struct Portal {
 /// A validated portal graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PortalGraph {
-    /// Grid units in one world unit: a vertex's world coordinate is its grid coordinate divided
-    /// by this.
-    pub denominator: Int,
-    /// The distinct vertices, in grid units.
-    pub vertices: Vec<BigPoint3>,
+    /// The distinct vertices, in world units.
+    pub vertices: Vec<RationalPoint3>,
     /// The portals, skew ones of the input replaced by the triangles of their fans.
     pub portals: Vec<Portal>,
     /// One name a cell: its number in a `.prt`, its own name in a JSON scene.
@@ -59,6 +56,45 @@ pub struct PortalGraph {
     pub skew_portals: u32,
     /// What else of the input was repaired.
     pub repairs: Repairs,
+}
+
+/// All vertices of a graph in units of one grid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SmallGrid {
+    /// Grid units in one world unit: the lowest common denominator of the vertices.
+    pub denominator: Int,
+    /// The vertices, in grid units.
+    pub points: Vec<Point3>,
+}
+
+/// The largest magnitude of a coordinate on a [`SmallGrid`] is 2^53.
+const SMALL_BITS: u64 = 53;
+
+impl PortalGraph {
+    /// The vertices of a portal, in its order.
+    pub fn corners<'a>(&'a self, portal: &'a Portal) -> impl Iterator<Item = &'a RationalPoint3> {
+        portal.vertices.iter().map(|&vertex| &self.vertices[vertex as usize])
+    }
+
+    /// The vertices on their common grid, if all coordinates are small there. Files have such a
+    /// grid; the meets of a level's planes as a rule have none of any sane size.
+    pub fn small_grid(&self) -> Option<SmallGrid> {
+        let nonzero =
+            |vertex: &&RationalPoint3| vertex.numerators().iter().any(|c| *c != Int::ZERO);
+        let coarsest = self.vertices.iter().filter(nonzero).map(|v| v.denominator().bits()).min();
+        let mut denominator = Int::from(1);
+        for vertex in &self.vertices {
+            denominator = vertex.common_with(denominator);
+            // A coordinate n/d that is not zero becomes n · denominator/d, which is more than
+            // 2^(bits of denominator - 1 - bits of d): too much before the numbers grow long.
+            if coarsest.is_some_and(|bits| denominator.bits() > bits + 1 + SMALL_BITS) {
+                return None;
+            }
+        }
+        let points = self.vertices.iter().map(|vertex| vertex.on_grid(&denominator).to_small());
+        let points = points.collect::<Option<Vec<Point3>>>()?;
+        Some(SmallGrid { denominator, points })
+    }
 }
 
 /// How often each documented repair was made while a graph was read; none changes a planar

@@ -2,6 +2,7 @@
 
 use super::{PortalGraph, RawGraph, RawPortal, SceneError};
 use crate::formats::json::{SceneFile, SceneFileError};
+use crate::formats::map::MapError;
 use crate::formats::prt::{self, PrtError, PrtFile};
 use rustc_hash::FxHashMap;
 
@@ -24,6 +25,9 @@ pub enum InputErrorKind {
     /// Not a portal file.
     #[error("{}", .0.kind)]
     Prt(PrtError),
+    /// Not a level's source.
+    #[error("{}", .0.kind)]
+    Map(MapError),
     /// Not a JSON scene.
     #[error("{}", .0.without_line())]
     Json(SceneFileError),
@@ -57,6 +61,7 @@ impl InputError {
     pub fn line(&self) -> Option<usize> {
         match &self.kind {
             InputErrorKind::Prt(error) => Some(error.line),
+            InputErrorKind::Map(error) => Some(error.line),
             InputErrorKind::Json(error) => Some(error.line),
             InputErrorKind::Empty
             | InputErrorKind::CellTwice { .. }

@@ -2,17 +2,19 @@
 //!
 //! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
 //! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
-//! of its own.
+//! of its own. [`read_level`] makes the solids of a [`Level`] of a level's source.
 
 mod build;
 mod graph;
 mod input;
+pub mod level;
 mod order;
 mod polygon;
 #[cfg(test)]
 mod tests;
 
 pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
-pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs};
+pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs, SmallGrid};
 pub use input::{InputError, InputErrorKind, read_graph};
+pub use level::{Level, LevelOptions, read_level};
 pub use order::CellOrder;

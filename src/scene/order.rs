@@ -14,8 +14,6 @@
 
 use super::polygon::{cross, difference, dot};
 use super::{PortalGraph, PortalId};
-use crate::geom::BigPoint3;
-use crate::num::Int;
 use num_traits::Signed;
 
 /// The pairs of portals of one cell whose order is not implied, and the count of cells that are
@@ -31,12 +29,14 @@ pub struct CellOrder {
 impl CellOrder {
     /// Examines every cell of `graph`.
     pub fn new(graph: &PortalGraph) -> CellOrder {
-        match small_vertices(&graph.vertices) {
+        match small_vertices(graph) {
             Some(vertices) => examine(graph, &vertices),
             None => {
-                let vertices: Vec<[Int; 3]> =
-                    graph.vertices.iter().map(|v| v.coordinates.clone()).collect();
-                examine(graph, &vertices)
+                let vertices = graph.vertices.iter().map(|vertex| Vertex {
+                    numerators: vertex.numerators().clone(),
+                    denominator: vertex.denominator().clone(),
+                });
+                examine(graph, &vertices.collect::<Vec<_>>())
             }
         }
     }
@@ -54,29 +54,47 @@ impl CellOrder {
     }
 }
 
-/// The limit of `build`, whose comment derives it, in the form that suits a point.
-fn small_vertices(vertices: &[BigPoint3]) -> Option<Vec<[i128; 3]>> {
-    let small = vertices.iter().map(|vertex| {
-        let integers = vertex.to_small()?.integers();
-        integers.iter().all(|c| c.abs() < 1 << 39).then(|| integers.map(i128::from))
+/// A vertex in homogeneous coordinates, the last of them positive.
+struct Vertex<T> {
+    numerators: [T; 3],
+    denominator: T,
+}
+
+/// The vertices in units of their common grid, if 128 bits suffice: the limit of `build`, whose
+/// comment derives it, in the form that suits a point. (The denominators are 1 then.)
+fn small_vertices(graph: &PortalGraph) -> Option<Vec<Vertex<i128>>> {
+    let small = graph.small_grid()?.points.into_iter().map(|point| {
+        let integers = point.integers();
+        integers
+            .iter()
+            .all(|c| c.abs() < 1 << 39)
+            .then(|| Vertex { numerators: integers.map(i128::from), denominator: 1 })
     });
     small.collect()
 }
 
-/// A portal's plane, and the sign that its normal has as seen from a cell's inside.
+/// A portal's plane: `normal · v` against `offset` times the denominator of `v`.
 struct Plane<T> {
     normal: [T; 3],
     offset: T,
 }
 
-fn plane<T: Signed + Clone>(vertices: &[[T; 3]], corners: &[u32]) -> Plane<T> {
+fn plane<T: Signed + Clone>(vertices: &[Vertex<T>], corners: &[u32]) -> Plane<T> {
     let [a, b, c] = [0, 1, 2].map(|i| &vertices[corners[i] as usize]);
-    let normal = cross(&difference(b, a), &difference(c, a));
-    let offset = dot(&normal, a);
-    Plane { normal, offset }
+    // The difference p - a, times both denominators.
+    let arm = |p: &Vertex<T>| {
+        let scaled = |v: &Vertex<T>, by: &T| v.numerators.clone().map(|c| c * by.clone());
+        difference(&scaled(p, &a.denominator), &scaled(a, &p.denominator))
+    };
+    let normal = cross(&arm(b), &arm(c));
+    let offset = dot(&normal, &a.numerators);
+    Plane { normal: normal.map(|c| c * a.denominator.clone()), offset }
 }
 
-fn examine<T: Signed + Clone + PartialOrd>(graph: &PortalGraph, vertices: &[[T; 3]]) -> CellOrder {
+fn examine<T: Signed + Clone + PartialOrd>(
+    graph: &PortalGraph,
+    vertices: &[Vertex<T>],
+) -> CellOrder {
     let planes: Vec<Plane<T>> =
         graph.portals.iter().map(|portal| plane(vertices, &portal.vertices)).collect();
     let mut portals_of_cell = vec![Vec::new(); graph.cells.len()];
@@ -89,8 +107,10 @@ fn examine<T: Signed + Clone + PartialOrd>(graph: &PortalGraph, vertices: &[[T; 
     let is_inside = |(p, inwards): (usize, bool), q: usize| {
         let Plane { normal, offset } = &planes[p];
         graph.portals[q].vertices.iter().all(|&vertex| {
-            let value = dot(normal, &vertices[vertex as usize]);
-            if inwards { value >= *offset } else { value <= *offset }
+            let vertex = &vertices[vertex as usize];
+            let value = dot(normal, &vertex.numerators);
+            let offset = offset.clone() * vertex.denominator.clone();
+            if inwards { value >= offset } else { value <= offset }
         })
     };
     let mut order = CellOrder::default();

@@ -1,7 +1,7 @@
 //! Polygons of every kind, in portal files of one portal between cells 0 and 1.
 
 use super::*;
-use crate::geom::BigPoint3;
+use crate::geom::RationalPoint3;
 use crate::num::Int;
 
 /// A portal file with one portal of these vertices.
@@ -24,8 +24,8 @@ fn planar_convex_portals_keep_their_order_and_their_sides() {
     let graph = read("0 0 1.5, 0 4 1.5, 0 4 0.25, 0 0 0.25").unwrap();
     assert_eq!(polygons(&graph), [[0, 1, 2, 3]]);
     assert_eq!((graph.portals[0].from, graph.portals[0].to), (CellId(0), CellId(1)));
-    assert_eq!(graph.denominator, Int::from(4));
-    assert_eq!(graph.vertices[2], BigPoint3 { coordinates: [0, 16, 1].map(Int::from) });
+    assert_eq!(graph.small_grid().unwrap().denominator, Int::from(4));
+    assert_eq!(graph.vertices[2], RationalPoint3::new([0, 16, 1].map(Int::from), Int::from(4)));
     assert_eq!((graph.skew_portals, graph.repairs), (0, Repairs::default()));
 }
 
@@ -170,11 +170,11 @@ fn json_scenes_name_their_cells_and_keep_every_digit() {
         [[0, 0, 0.56285683454726874605620706], ["7/3", 1e1, 0], [0, "12.5", 0]]}]}"#;
     let graph = read_graph("x.json", text.as_bytes()).unwrap();
     assert_eq!((graph.portals[0].from, graph.portals[0].to), (CellId(1), CellId(0)));
-    assert_eq!(graph.denominator, Int::from(15) * Int::from(10).pow(25));
-    assert_eq!(
-        graph.vertices[0].coordinates[2],
-        Int::from(3) * Int::from(28142841727363437302810353u128)
-    );
+    let z = &graph.vertices[0].coordinates()[2];
+    assert_eq!(*z, crate::num::parse_decimal("0.56285683454726874605620706").unwrap());
+    assert_eq!(graph.vertices[1].numerators(), &[7, 30, 0].map(Int::from));
+    assert_eq!(graph.vertices[1].denominator(), &Int::from(3));
+    assert_eq!(graph.small_grid(), None);
     assert_eq!(graph.leaf_to_cell, [CellId(0), CellId(1)]);
 }
 
@@ -221,7 +221,31 @@ fn a_grid_of_many_denominators_is_refused() {
         vertices.join(", ")
     );
     let error = read_graph("x.json", text.as_bytes()).unwrap_err().to_string();
-    assert!(error.contains("the common denominator of all coordinates exceeds"), "{error}");
+    assert!(
+        error.contains("the common denominator of the portal's coordinates exceeds"),
+        "{error}"
+    );
+}
+
+#[test]
+fn portals_on_grids_of_their_own_need_no_common_one() {
+    // Each wall is at another fraction: together 80000 bits of denominators.
+    let wall = |i: u64| {
+        let x = format!("\"{i}/{}\"", (1u64 << 40) + 2 * i + 1);
+        format!(
+            r#"{{"from": "a", "to": "b", "polygon": [[{x}, 0, 0], [{x}, 4, 0], [{x}, 4, 4], [{x}, 0, 4]]}}"#
+        )
+    };
+    let walls: Vec<String> = (1..2000).map(wall).collect();
+    let text = format!(
+        r#"{{"about": "", "format": "stabline-scene/1", "cells": ["a", "b"], "portals": [{}]}}"#,
+        walls.join(", ")
+    );
+    let graph = read_graph("x.json", text.as_bytes()).unwrap();
+    assert_eq!((graph.portals.len(), graph.vertices.len()), (1999, 4 * 1999));
+    assert_eq!((graph.small_grid(), graph.repairs), (None, Repairs::default()));
+    let x = crate::num::Rational::new(3.into(), ((1u64 << 40) + 7).into());
+    assert_eq!(graph.vertices[8].coordinates()[0], x);
 }
 
 #[test]

@@ -93,7 +93,13 @@ impl TouchingLine {
         quick.or_else(|| find(portals)).map(TouchingLine)
     }
 
-    /// Whether the line touches one more portal.
+    /// The same line on another grid: `from` units of this one's, and `to` of the other's, are as
+    /// long as each other.
+    pub fn on_grid(&self, from: &Int, to: &Int) -> TouchingLine {
+        TouchingLine(self.0.on_grid(from, to))
+    }
+
+    /// Whether the line touches one more portal, of the same grid.
     pub fn touches(&self, portal: &ClosedPortal) -> bool {
         self.0.touches(portal)
     }

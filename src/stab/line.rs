@@ -100,6 +100,17 @@ impl ExactLine {
         }
     }
 
+    /// The same line on another grid, `to` units of which are as long as `from` of this one's: a
+    /// direction grows by the quotient, a moment by its square.
+    pub(super) fn on_grid(&self, from: &Int, to: &Int) -> ExactLine {
+        let scaled = |v: &Vector| std::array::from_fn(|i| &v[i] * if i < 3 { from } else { to });
+        ExactLine {
+            rational: Row::new(scaled(&self.rational.vector)),
+            root: scaled(&self.root),
+            radicand: self.radicand.clone(),
+        }
+    }
+
     /// The sign of `row · line`.
     pub(super) fn sign(&self, row: &Row) -> Sign {
         let is_rational = self.radicand == Int::ZERO;

@@ -100,6 +100,25 @@ impl Graph {
         graph
     }
 
+    /// The same graph, every vertex moved a little towards the middle of its polygon, by a share with
+    /// a denominator of its own that is about `bits` long: planar polygons stay planar, and there is
+    /// no common grid.
+    pub fn shaken(&self, random: &mut Random, bits: u32) -> Graph {
+        let mut graph = self.clone();
+        for portal in &mut graph.portals {
+            let count = integer(portal.polygon.len() as i64);
+            let middle =
+                [0, 1, 2].map(|i| portal.polygon.iter().map(|p| &p[i]).sum::<Rational>() / &count);
+            for p in &mut portal.polygon {
+                let odd = (1i64 << (bits - 1)) + 2 * random.between(0, (1 << (bits - 2)) - 1) + 1;
+                let share =
+                    Rational::new(Int::from(odd / random.between(50, 5000)), Int::from(odd));
+                *p = [0, 1, 2].map(|i| &p[i] + &share * (&middle[i] - &p[i]));
+            }
+        }
+        graph
+    }
+
     /// The same graph, every coordinate times `scale` plus `offset`.
     pub fn scaled(&self, scale: &Rational, offset: &[Rational; 3]) -> Graph {
         self.mapped(false, |p| [0, 1, 2].map(|i| &p[i] * scale + &offset[i]))
@@ -111,7 +130,7 @@ pub fn gates(graph: &PortalGraph) -> Vec<Gate> {
     let gate = |portal: &stabline::scene::Portal| Gate {
         from: portal.from.0 as usize,
         to: portal.to.0 as usize,
-        vertices: portal.vertices.iter().map(|&v| graph.vertices[v as usize].clone()).collect(),
+        vertices: graph.corners(portal).cloned().collect(),
     };
     graph.portals.iter().map(gate).collect()
 }

@@ -1,7 +1,6 @@
 //! An independent check of witnesses: big rationals only, and nothing of the engine.
 
 use num_traits::{Signed, Zero};
-use stabline::geom::BigPoint3;
 use stabline::num::Rational;
 use stabline::report::PairWitness;
 use stabline::scene::{Portal, PortalGraph};
@@ -17,7 +16,6 @@ pub fn check(graph: &PortalGraph, witness: &PairWitness) -> Result<(), String> {
     if direction.iter().all(Zero::is_zero) {
         return Err("the two points are equal".to_owned());
     }
-    let unit = Rational::from(graph.denominator.clone());
     let mut cell = witness.from;
     let mut last: Option<Rational> = None;
     for &source in &witness.portals {
@@ -33,8 +31,7 @@ pub fn check(graph: &PortalGraph, witness: &PairWitness) -> Result<(), String> {
             return Err(format!("portal {source} does not leave cell {cell}"));
         };
         let crossings = pieces.iter().filter_map(|piece| {
-            let vertex = |&v: &u32| world(&graph.vertices[v as usize], &unit);
-            let mut polygon: Vec<Point> = piece.vertices.iter().map(vertex).collect();
+            let mut polygon: Vec<Point> = graph.corners(piece).map(|v| v.coordinates()).collect();
             if !forwards {
                 polygon.reverse();
             }
@@ -48,10 +45,6 @@ pub fn check(graph: &PortalGraph, witness: &PairWitness) -> Result<(), String> {
         return Err(format!("the chain leads to cell {cell}"));
     }
     Ok(())
-}
-
-fn world(vertex: &BigPoint3, unit: &Rational) -> Point {
-    vertex.coordinates.clone().map(|c| Rational::from(c) / unit)
 }
 
 /// Where the line p + t·d crosses the inside of the polygon towards its right-hand normal.

@@ -74,7 +74,8 @@ fn scenes_and_snapshots_are_used() {
         .filter(|path| !path.starts_with("tests/tidy/"))
         .map(|path| read(&path))
         .collect();
-    let scenes = files("scenes", ".json");
+    let mut scenes = files("scenes", ".json");
+    scenes.extend(files("scenes", ".map"));
     assert!(!scenes.is_empty());
     assert_tidy(
         scenes.iter().flat_map(|path| papers::scene(path, &read(path), &programs)).collect(),

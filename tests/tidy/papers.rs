@@ -39,11 +39,12 @@ fn normal(path: &Path) -> String {
 pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> Vec<String> {
     let mut wrong = Vec::new();
     for path in snapshots {
-        let scene = PathBuf::from(path.replacen("snapshots/", "scenes/", 1)).with_extension("json");
+        let scene = PathBuf::from(path.replacen("snapshots/", "scenes/", 1));
+        let of = |ending| normal(&scene.with_extension(ending));
         if path.ends_with(".new") {
             wrong.push(format!("{path}: review it (`cargo insta review`)"));
-        } else if !exists(&normal(&scene)) {
-            wrong.push(format!("{path}: {} is gone", normal(&scene)));
+        } else if !exists(&of("json")) && !exists(&of("map")) {
+            wrong.push(format!("{path}: {} is gone", of("json")));
         }
     }
     wrong
@@ -53,13 +54,16 @@ pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> 
 pub fn scene(path: &str, text: &str, programs: &[String]) -> Vec<String> {
     let mut wrong = Vec::new();
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
-    let stem = name.trim_end_matches(".json");
+    let is_map = name.ends_with(".map");
+    let stem = name.trim_end_matches(".json").trim_end_matches(".map");
     let fine = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "_-".contains(c);
     if !stem.chars().all(fine) || !stem.contains('_') {
         wrong.push(format!("{path}: expected a name <subject>_<situation>[_<degeneracy>].json"));
     }
     let first = text.trim_start().strip_prefix('{').unwrap_or_default().trim_start();
-    if !first.starts_with("\"about\": \"") {
+    if is_map && !text.starts_with("// ") {
+        wrong.push(format!("{path}: it does not open with a comment"));
+    } else if !is_map && !first.starts_with("\"about\": \"") {
         wrong.push(format!("{path}: its first field is not `about`"));
     }
     let whole_folder = format!("\"{folder}\"");

@@ -1,0 +1,155 @@
+//! Convex polyhedra: the polygons of their faces, from half-spaces, split by planes.
+
+use super::polygon::Extent;
+use super::{Bounds, PlaneId, PlaneSet, Polygon, Split};
+use crate::geom::RationalPoint3;
+use crate::num::{Int, Rational};
+
+/// A bounded convex polyhedron with volume: its faces, their supports pointing outwards.
+#[derive(Clone, Debug)]
+pub struct Polyhedron {
+    faces: Vec<Polygon>,
+}
+
+/// Why half-spaces make no solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SolidError {
+    /// They have no inner point in common.
+    #[error("the planes enclose no volume")]
+    Flat,
+    /// Their intersection reaches past every box.
+    #[error("the planes leave the solid unbounded")]
+    Unbounded,
+}
+
+impl Polyhedron {
+    pub(super) fn new(faces: Vec<Polygon>) -> Polyhedron {
+        Polyhedron { faces }
+    }
+
+    /// The part of a box on the negative side of all planes; `None` where that has no volume.
+    ///
+    /// Planes that touch it in less than a polygon leave no trace.
+    pub fn of_half_spaces(
+        planes: &PlaneSet,
+        bounds: &Bounds,
+        half_spaces: &[PlaneId],
+    ) -> Option<Polyhedron> {
+        let mut all: Vec<PlaneId> = half_spaces.to_vec();
+        all.extend(bounds.planes());
+        let mut distinct = Vec::with_capacity(all.len());
+        for plane in all {
+            if distinct.contains(&plane.flipped()) {
+                return None;
+            }
+            if !distinct.contains(&plane) {
+                distinct.push(plane);
+            }
+        }
+        let face = |&support: &PlaneId| {
+            let others = distinct.iter().filter(|&&other| other != support);
+            others.fold(bounds.section(planes, support), |polygon, &other| {
+                polygon?.inside(planes, other)
+            })
+        };
+        let faces: Vec<Polygon> = distinct.iter().filter_map(face).collect();
+        // A flat intersection with an area would have its plane in both directions.
+        (!faces.is_empty()).then_some(Polyhedron { faces })
+    }
+
+    /// The faces, outwards.
+    pub fn faces(&self) -> &[Polygon] {
+        &self.faces
+    }
+
+    /// On which sides of a plane it has inner points.
+    pub fn extent(&self, planes: &PlaneSet, plane: PlaneId) -> Extent {
+        let mut extent = Extent::default();
+        for face in &self.faces {
+            let of_face = face.extent(planes, plane);
+            extent.front |= of_face.front;
+            extent.back |= of_face.back;
+            if extent.front && extent.back {
+                break;
+            }
+        }
+        extent
+    }
+
+    /// Its section with a plane that has inner points of it on both sides, within a box that
+    /// contains it.
+    ///
+    /// # Panics
+    /// If the plane does not cross it.
+    pub fn section(&self, planes: &PlaneSet, bounds: &Bounds, plane: PlaneId) -> Polygon {
+        let whole = bounds.section(planes, plane);
+        self.faces
+            .iter()
+            .fold(whole, |polygon, face| polygon?.inside(planes, face.support()))
+            .expect("a plane through inner points cuts a polygon")
+    }
+
+    /// The parts on the positive and on the negative side of a plane, whose section is given.
+    pub fn split(&self, planes: &PlaneSet, section: &Polygon) -> [Polyhedron; 2] {
+        let plane = section.support();
+        let (mut front, mut back) = (Vec::new(), Vec::new());
+        for face in &self.faces {
+            match face.split(planes, plane) {
+                Split::Front => front.push(face.clone()),
+                Split::Back => back.push(face.clone()),
+                Split::On => unreachable!("the plane crosses the polyhedron"),
+                Split::Both(positive, negative) => {
+                    front.push(positive);
+                    back.push(negative);
+                }
+            }
+        }
+        front.push(section.flipped());
+        back.push(section.clone());
+        [Polyhedron { faces: front }, Polyhedron { faces: back }]
+    }
+
+    /// Its volume.
+    pub fn volume(&self) -> Rational {
+        // The faces' fans, as signed pyramids over the origin: det[a, b, c] is six volumes.
+        let six: Rational = self.faces.iter().map(pyramids).sum();
+        six / Int::from(6)
+    }
+
+    /// A point inside: the mean of its faces' vertices.
+    pub fn inner_point(&self) -> RationalPoint3 {
+        mean(self.faces.iter().flat_map(Polygon::points))
+    }
+}
+
+/// The mean of one or more points.
+pub fn mean(points: impl Iterator<Item = RationalPoint3>) -> RationalPoint3 {
+    let zero = || Rational::from(Int::ZERO);
+    let (mut sum, mut count) = ([zero(), zero(), zero()], 0);
+    for point in points {
+        let point = rational(&point);
+        sum = std::array::from_fn(|i| &sum[i] + &point[i]);
+        count += 1;
+    }
+    let [x, y, z] = sum.map(|c| c / Int::from(count));
+    let common =
+        num_integer::lcm(num_integer::lcm(x.denom().clone(), y.denom().clone()), z.denom().clone());
+    RationalPoint3::new([x, y, z].map(|c| (c * &common).to_integer()), common)
+}
+
+fn rational(point: &RationalPoint3) -> [Rational; 3] {
+    point.numerators().each_ref().map(|c| Rational::new(c.clone(), point.denominator().clone()))
+}
+
+fn pyramids(face: &Polygon) -> Rational {
+    let points: Vec<[Rational; 3]> = face.points().iter().map(rational).collect();
+    points.windows(2).skip(1).map(|pair| determinant([&points[0], &pair[0], &pair[1]])).sum()
+}
+
+fn determinant([a, b, c]: [&[Rational; 3]; 3]) -> Rational {
+    let term = |i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &a[i] * (&b[j] * &c[k] - &b[k] * &c[j])
+    };
+    term(0) + term(1) + term(2)
+}

@@ -1,0 +1,14 @@
+//! Portals between the leaves of a subdivision, what of them is inside, and leaks.
+//!
+//! A node's section is pushed down both of its subtrees and cut by their planes; what arrives in
+//! an empty leaf on either side is a portal (Teller 1992, section 8.2.3; Carr 2004, chapter 4).
+//! Cells are convex and a pair of leaves is separated by exactly one node, so two leaves share at
+//! most one portal: the intersection of their two faces, convex and in one piece.
+
+mod enumerate;
+mod flood;
+#[cfg(test)]
+mod tests;
+
+pub use enumerate::{Portal, enumerate};
+pub use flood::{Flood, Leak, flood};
