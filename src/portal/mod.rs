@@ -5,10 +5,12 @@
 //! Cells are convex and a pair of leaves is separated by exactly one node, so two leaves share at
 //! most one portal: the intersection of their two faces, convex and in one piece.
 
+mod cells;
 mod enumerate;
 mod flood;
 #[cfg(test)]
 mod tests;
 
+pub use cells::{CellPortal, Cells};
 pub use enumerate::{Portal, enumerate};
 pub use flood::{Flood, Leak, flood};

@@ -1,4 +1,4 @@
-use super::{Portal, enumerate, flood};
+use super::{Cells, Portal, enumerate, flood};
 use crate::construct::{Polygon, mean};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, Sign};
@@ -154,4 +154,40 @@ fn a_sealed_point_does_not_leak_through_an_edge() {
     solids.push(cuboid([9, -1, -1], [10, 9, 9]));
     let (subdivision, portals) = divide(&solids);
     assert_eq!(flood(&subdivision, &portals, &[point([4, 4, 4])]).leak, None);
+}
+
+#[test]
+fn filling_keeps_what_is_reached_and_nothing_else() {
+    // A room with two boxes in it and rubble around it.
+    let mut solids = room();
+    solids.push(cuboid([2, 2, 0], [3, 4, 3]));
+    solids.push(cuboid([5, 1, 2], [6, 7, 8]));
+    solids.push(cuboid([12, 3, 3], [14, 6, 5]));
+    solids.push(cuboid([9, 3, 11], [14, 6, 12]));
+    let (subdivision, portals) = divide(&solids);
+    let start = [point([1, 1, 1])];
+    let first = flood(&subdivision, &portals, &start);
+    let filled = subdivision.filled(&first.inside, &Options::default());
+    let portals = enumerate(&filled);
+    let second = flood(&filled, &portals, &start);
+    assert_eq!(second.leak, None);
+    for leaf in filled.leaf_ids() {
+        assert_eq!(second.inside[leaf.0 as usize], !filled.leaf(leaf).solid);
+    }
+    let volume = |of: &Subdivision, kept: &[bool]| -> Rational {
+        let leaves = of.leaf_ids().filter(|leaf| kept[leaf.0 as usize]);
+        leaves.map(|leaf| of.leaf(leaf).cell.volume()).sum()
+    };
+    let free = 512 - 6 - 36;
+    assert_eq!(volume(&filled, &second.inside), Rational::from(Int::from(free)));
+    assert_eq!(volume(&subdivision, &first.inside), Rational::from(Int::from(free)));
+    assert_eq!(
+        volume(&filled, &vec![true; filled.leaves.len()]),
+        volume(&subdivision, &vec![true; subdivision.leaves.len()])
+    );
+    let cells = Cells::of(&filled, &portals, &second.inside);
+    assert_eq!(cells.portals.len(), portals.len());
+    assert!(cells.portals.iter().all(|portal| portal.from != portal.to));
+    let nothing = subdivision.filled(&vec![false; subdivision.leaves.len()], &Options::default());
+    assert!(nothing.leaves.iter().all(|leaf| leaf.solid));
 }

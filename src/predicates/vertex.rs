@@ -259,7 +259,7 @@ mod tests {
             let mut met = [0; 3];
             for _ in 0..2000 {
                 let planes: [VertexPlane; 4] = std::array::from_fn(|_| {
-                    plane(std::array::from_fn(|_| random(&mut state, 3)), scale)
+                    plane(std::array::from_fn(|_| random(&mut state, 2)), scale)
                 });
                 let [p, q, r, s] = &planes;
                 let big = planes.each_ref().map(|plane| plane.plane());
@@ -278,7 +278,7 @@ mod tests {
                 }
                 met[(expected as i8 + 1) as usize] += 1;
             }
-            assert!(met.iter().all(|&count| count > 50), "{scale}: {met:?}");
+            assert!(met.iter().all(|&count| count > 20), "{scale}: {met:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The division of a box into convex cells, each wholly inside or wholly outside the solids.
 //!
-//! 1. [`solids`](self): every solid becomes a polyhedron; the box is their bounds and a margin.
+//! 1. `solids`: every solid becomes a polyhedron; the box is their bounds and a margin.
 //! 2. `boundary`: the faces of the solids, less what lies inside or against other solids: the
 //!    boundary of the (regularised) union.
 //! 3. `tree`: a binary space partition by planes of these faces (Fuchs, Kedem and Naylor, On
@@ -16,6 +16,7 @@
 
 mod boundary;
 mod choose;
+mod inside;
 mod locate;
 mod solids;
 #[cfg(test)]
@@ -42,6 +43,10 @@ pub struct Subdivision {
     pub root: Child,
     /// The solids left out, by index, because their planes enclose no volume.
     pub flat: Vec<usize>,
+    /// The boundary of the solids, in pieces that look out of them.
+    boundary: Vec<Polygon>,
+    /// The faces of hints that split.
+    hints: Vec<Hint>,
 }
 
 /// A cell that is split.
@@ -99,16 +104,11 @@ pub fn build(
     options: &Options,
 ) -> Result<Subdivision, DivisionError> {
     let prepared = solids::prepare(solids, hints, options)?;
-    let faces = boundary::of_union(&prepared.planes, &prepared.solids);
-    let built = tree::build(&prepared.planes, &prepared.bounds, faces, prepared.hints, options);
-    Ok(Subdivision {
-        planes: prepared.planes,
-        bounds: prepared.bounds,
-        nodes: built.nodes,
-        leaves: built.leaves,
-        root: built.root,
-        flat: prepared.flat,
-    })
+    let solids::Prepared { planes, bounds, solids, hints, flat } = prepared;
+    let boundary = boundary::of_union(&planes, &solids);
+    let built = tree::build(&planes, &bounds, boundary.clone(), hints.clone(), false, options);
+    let tree::Tree { nodes, leaves, root } = built;
+    Ok(Subdivision { planes, bounds, nodes, leaves, root, flat, boundary, hints })
 }
 
 impl Subdivision {

@@ -25,12 +25,13 @@ struct Work {
     parent: Option<(u32, bool)>,
 }
 
-/// Splits the box.
+/// Splits the box, which is solid or empty as `solid` says where there are no faces at all.
 pub(super) fn build(
     planes: &PlaneSet,
     bounds: &Bounds,
     faces: Vec<Polygon>,
     hints: Vec<Hint>,
+    solid: bool,
     options: &Options,
 ) -> Tree {
     let (mut nodes, mut leaves): (Vec<Node>, Vec<Leaf>) = (Vec::new(), Vec::new());
@@ -38,7 +39,7 @@ pub(super) fn build(
     let mut root = Child::Leaf(LeafId(0));
     let cell = bounds.polyhedron(planes);
     // A stack and not recursion: a bad input may make a deep tree.
-    let mut stack = vec![Work { cell, faces, hints, solid: false, parent: None }];
+    let mut stack = vec![Work { cell, faces, hints, solid, parent: None }];
     while let Some(work) = stack.pop() {
         let parent = work.parent;
         let child = match splitting_plane(planes, &work, options) {
