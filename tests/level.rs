@@ -208,11 +208,19 @@ fn what_does_not_matter_to_geometry_is_read_over() {
 }
 
 #[test]
-fn opaque_liquids_are_solid() {
-    let text = world(&BOX.join("\n").replace("wall", "*water0"));
-    for (opaque_liquids, role) in [(false, Role::Liquid), (true, Role::Solid)] {
-        let level = read_level("x", text.as_bytes(), LevelOptions { opaque_liquids }).unwrap();
-        assert_eq!(level.brushes[0].role, role);
+fn options_change_the_roles_of_liquids_and_of_what_is_not_drawn() {
+    let opaque = LevelOptions { opaque_liquids: true, ..LevelOptions::default() };
+    let through = LevelOptions { see_through_skip: true, ..LevelOptions::default() };
+    for (texture, options, role) in [
+        ("*water0", LevelOptions::default(), Role::Liquid),
+        ("*water0", opaque, Role::Solid),
+        ("skip", LevelOptions::default(), Role::Solid),
+        ("skip", through, Role::Ignored),
+        ("hintskip", LevelOptions::default(), Role::Ignored),
+    ] {
+        let text = world(&BOX.join("\n").replace("wall", texture));
+        let level = read_level("x", text.as_bytes(), options).unwrap();
+        assert_eq!(level.brushes[0].role, role, "{texture}");
     }
 }
 
@@ -326,7 +334,8 @@ proptest! {
             let n = [minor(1, 2), minor(2, 0), minor(0, 1)];
             let offset = n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
             let divisor = [n[0], n[1], n[2], offset].into_iter().fold(0, num_integer::gcd);
-            let plane = [n[0], n[1], n[2], offset].map(|c| if divisor == 0 { 0 } else { c / divisor });
+            let reduced = |c: i128| c.checked_div(divisor).unwrap_or(0);
+            let plane = [n[0], n[1], n[2], offset].map(reduced);
             if n != [0; 3] && !planes.contains(&plane) {
                 planes.push(plane);
             }

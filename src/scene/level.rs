@@ -93,6 +93,9 @@ pub struct Entity {
 pub struct LevelOptions {
     /// Liquids are solids: they hide what is behind and within them, and no cell is in them.
     pub opaque_liquids: bool,
+    /// Brushes of the world wholly of faces that are not drawn (`skip`, `trigger`) are ignored.
+    /// Compilers make walls of them, and levels rely on that to be closed.
+    pub see_through_skip: bool,
 }
 
 impl Level {

@@ -31,6 +31,8 @@ enum Surface {
     Hint,
     /// Stops players or monsters, and is otherwise nothing.
     Clip,
+    /// A face of a hint brush that does not split.
+    HintSkip,
     /// A face that is not drawn.
     Undrawn,
     Liquid,
@@ -55,7 +57,8 @@ pub(super) fn part(class: &str) -> Part {
 pub(super) fn read_brush(part: Part, brush: &MapBrush, options: LevelOptions) -> Reading {
     let surfaces: Vec<Surface> = brush.faces.iter().map(surface).collect();
     let any = |surface: Surface| surfaces.contains(&surface);
-    let undrawn = surfaces.iter().all(|s| *s == Surface::Undrawn);
+    let skipped = surfaces.iter().all(|s| *s == Surface::HintSkip);
+    let undrawn = surfaces.iter().all(|s| matches!(s, Surface::Undrawn | Surface::HintSkip));
     // The marks that make a brush what they say even if only some faces have them, strongest
     // first; a brush whose other faces are drawn is odd.
     let marks = [
@@ -71,15 +74,24 @@ pub(super) fn read_brush(part: Part, brush: &MapBrush, options: LevelOptions) ->
         (_, Some(Surface::Origin | Surface::Clip)) => Role::Ignored,
         (Part::Structure, Some(Surface::Hint)) => Role::Hint,
         (Part::Object, Some(Surface::Hint)) => Role::Ignored,
-        _ if undrawn => Role::Ignored,
+        (Part::Object, _) if undrawn => Role::Ignored,
+        (Part::Structure, _) if skipped || undrawn && options.see_through_skip => Role::Ignored,
         (Part::Object, _) | (Part::Structure, Some(Surface::Object)) => Role::Detail,
         (Part::Structure, Some(Surface::Liquid)) if options.opaque_liquids => Role::Solid,
         (Part::Structure, Some(Surface::Liquid)) => Role::Liquid,
-        (Part::Structure, Some(Surface::Undrawn | Surface::Wall) | None) => Role::Solid,
+        (Part::Structure, Some(Surface::HintSkip | Surface::Undrawn | Surface::Wall) | None) => {
+            Role::Solid
+        }
     };
     let splits = surfaces.iter().map(|s| role != Role::Hint || *s == Surface::Hint).collect();
     let odd = mark.filter(|_| part == Part::Structure && any(Surface::Wall));
-    let warning = odd.map(|(_, name)| LevelWarningKind::MixedFaces(name));
+    let warning = match odd {
+        Some((_, name)) => Some(LevelWarningKind::MixedFaces(name)),
+        None if undrawn && !surfaces.is_empty() && role == Role::Solid => {
+            Some(LevelWarningKind::UndrawnWall)
+        }
+        None => None,
+    };
     Reading { role, splits, warning }
 }
 
@@ -113,7 +125,8 @@ fn by_name(texture: &str) -> Surface {
         "hint" => Surface::Hint,
         "clip" | "playerclip" | "monsterclip" | "weapclip" | "botclip" | "full_clip"
         | "areaportal" => Surface::Clip,
-        "skip" | "hintskip" | "nodraw" | "trigger" | "aaatrigger" => Surface::Undrawn,
+        "hintskip" => Surface::HintSkip,
+        "skip" | "nodraw" | "trigger" | "aaatrigger" => Surface::Undrawn,
         _ if name.starts_with('*') => Surface::Liquid,
         _ => Surface::Wall,
     }

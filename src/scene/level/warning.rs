@@ -44,6 +44,9 @@ pub enum LevelWarningKind {
     /// Faces whose textures ask for different roles.
     #[error("some faces are {0}, others are not; the whole brush is taken as {0}")]
     MixedFaces(&'static str),
+    /// A brush of the structure without a face that is drawn.
+    #[error("no face is drawn, by their textures; the brush is a wall all the same")]
+    UndrawnWall,
     /// Three points that give no plane.
     #[error("the three points of face {face} are on one line; the face is left out")]
     CollinearPoints {
