@@ -5,12 +5,14 @@
 //! errors and exit codes to the one place that maps them. Data goes to standard output, all else
 //! to standard error.
 
+mod bsp;
 mod check;
 mod exit;
 mod export;
 mod eye;
 mod files;
 mod interrupt;
+mod level;
 mod progress;
 mod pvs;
 mod schema;
@@ -38,6 +40,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 /// Every subcommand, in the order of `stabline --help`.
 #[derive(Debug, Subcommand)]
 enum Command {
+    Bsp(bsp::Args),
     Check(check::Args),
     Export(export::Args),
     Eye(eye::Args),
@@ -51,6 +54,7 @@ enum Command {
 impl Command {
     fn run(self) -> Result<Exit, Failure> {
         match self {
+            Command::Bsp(args) => bsp::run(args),
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),

@@ -2,6 +2,7 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::level;
 use super::progress::{ProgressArgs, Watch};
 use crate::num::Number;
 use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, Hindrance, Obstacle, OpenPair};
@@ -28,7 +29,7 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let graph = scene::read_graph(&input.name, &input.bytes)?;
+    let graph = level::read_graph(&input)?;
     let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));
     let (from, to) = (from?, to?);
     let watch = Watch::new(args.progress.reporter(), None);

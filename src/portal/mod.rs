@@ -8,9 +8,11 @@
 mod cells;
 mod enumerate;
 mod flood;
+mod level;
 #[cfg(test)]
 mod tests;
 
 pub use cells::{CellPortal, Cells};
 pub use enumerate::{Portal, enumerate};
 pub use flood::{Flood, Leak, flood};
+pub use level::{LevelCells, LevelError, cells_of_level};

@@ -13,7 +13,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("stab", &["num", "geom", "predicates"]),
     ("scene", &["num", "geom", "predicates", "stab", "formats"]),
     ("subdivision", &["num", "geom", "predicates", "construct"]),
-    ("portal", &["num", "geom", "construct", "subdivision"]),
+    ("portal", &["num", "geom", "construct", "scene", "subdivision"]),
     ("csg", &["num", "geom", "construct"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),

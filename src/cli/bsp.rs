@@ -1,0 +1,178 @@
+//! `stabline bsp`: a level's source divided into cells and portals.
+
+use super::exit::{Exit, Failure};
+use super::files::{self, Input};
+use super::level;
+use crate::formats::prt::{self, PrtPortal, PrtWriteError};
+use crate::geom::RationalPoint3;
+use crate::num::{Int, Number, Rational};
+use crate::portal::{LevelCells, LevelError};
+use crate::scene::{Level, LevelOptions, PortalGraph, Role};
+use num_traits::{Signed, ToPrimitive};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Divide the inside of a level's source (`.map`) into convex cells and the portals between them
+///
+/// A level that leaks ends with code 3; `--pts` keeps the way out.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The level's source
+    input: PathBuf,
+    /// Write the portals as a portal file
+    #[arg(long, value_name = "OUT.prt")]
+    prt: Option<PathBuf>,
+    /// Round the portal file's coordinates to this many decimals, where they have no finite
+    /// decimal or a longer one; the largest displacement is printed
+    #[arg(long, value_name = "DECIMALS", requires = "prt", value_parser = clap::value_parser!(u32).range(0..=18))]
+    snap: Option<u32>,
+    /// Where the level leaks, write the way from an entity to the outside as a line of points
+    #[arg(long, value_name = "OUT.pts")]
+    pts: Option<PathBuf>,
+    /// Liquids hide what is behind them
+    #[arg(long)]
+    opaque_liquids: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    let input = Input::read(&args.input)?;
+    let options = LevelOptions { opaque_liquids: args.opaque_liquids, ..LevelOptions::default() };
+    let level = level::read(&input, options)?;
+    for warning in &level.warnings {
+        eprintln!("{}: {warning}", input.name);
+    }
+    let cells = match level::divide(&level) {
+        Ok(cells) => cells,
+        Err(error) => {
+            if let (LevelError::Leak { leak, .. }, Some(path)) = (&error, &args.pts) {
+                files::write(Some(path), |out| write_points(&leak.path, out))?;
+            }
+            return Err(level::failure(&input, &error));
+        }
+    };
+    let mut displacement = None;
+    if let Some(path) = &args.prt {
+        let (portals, largest) = portals(&cells.graph, args.snap);
+        let count = cells.graph.cells.len() as u32;
+        let written = |out: &mut dyn Write| match prt::write(count, &portals, out) {
+            Ok(()) => Ok(()),
+            Err(PrtWriteError::Io(error)) => Err(error),
+            Err(error @ PrtWriteError::NoDecimal { .. }) => Err(io::Error::other(error)),
+        };
+        files::write(Some(path), written)?;
+        displacement = args.snap.map(|_| largest);
+    }
+    let text = match args.json {
+        true => format!("{:#}\n", as_json(&input, &level, &cells, displacement.as_ref())),
+        false => as_text(&input, &level, &cells, displacement.as_ref()),
+    };
+    files::print(&text)?;
+    Ok(Exit::Done)
+}
+
+/// A point a line, as level editors load it: rounded, as these files hold a few decimals.
+fn write_points(path: &[RationalPoint3], out: &mut dyn Write) -> io::Result<()> {
+    for point in path {
+        let [x, y, z] = <[Number; 3]>::from(point).map(|c| {
+            let thousandths = (c.to_rational() * Int::from(1000)).round().to_integer();
+            let sign = if thousandths < Int::ZERO { "-" } else { "" };
+            let size = thousandths.abs();
+            format!("{sign}{}.{:03}", &size / 1000, (&size % 1000u32).to_u32().unwrap_or(0))
+        });
+        writeln!(out, "{x} {y} {z}")?;
+    }
+    Ok(())
+}
+
+/// The graph's portals for a portal file, and how far a coordinate was moved at most.
+fn portals(graph: &PortalGraph, snap: Option<u32>) -> (Vec<PrtPortal>, Rational) {
+    let mut largest = Rational::from(Int::ZERO);
+    let mut kept = |coordinate: Number| match snap {
+        None => coordinate,
+        Some(decimals) => {
+            let unit = Int::from(10).pow(decimals);
+            let exact = coordinate.to_rational();
+            let snapped = Rational::new((&exact * &unit).round().to_integer(), unit);
+            let moved = (&exact - &snapped).abs();
+            if moved > largest {
+                largest = moved;
+            }
+            Number::from(snapped)
+        }
+    };
+    let portals = graph
+        .portals
+        .iter()
+        .map(|portal| PrtPortal {
+            line: 0,
+            cells: [portal.from.0, portal.to.0],
+            vertices: portal
+                .vertices
+                .iter()
+                .map(|&v| <[Number; 3]>::from(&graph.vertices[v as usize]).map(&mut kept))
+                .collect(),
+        })
+        .collect();
+    (portals, largest)
+}
+
+fn count(level: &Level, role: Role) -> usize {
+    level.brushes.iter().filter(|brush| brush.role == role).count()
+}
+
+fn as_text(
+    input: &Input,
+    level: &Level,
+    cells: &LevelCells,
+    displacement: Option<&Rational>,
+) -> String {
+    let leaves = &cells.subdivision.leaves;
+    let mut text = format!(
+        "{}: {} brushes that occlude, {} hints, {} others; {} oddities repaired\n\
+         {} leaves of the tree, {} solid\n\
+         {} cells inside, {} portals between them\n",
+        input.file_name(),
+        count(level, Role::Solid),
+        count(level, Role::Hint),
+        level.brushes.len() - count(level, Role::Solid) - count(level, Role::Hint),
+        level.warnings.len(),
+        leaves.len(),
+        leaves.iter().filter(|leaf| leaf.solid).count(),
+        cells.graph.cells.len(),
+        cells.graph.portals.len(),
+    );
+    for &entity in &cells.buried {
+        let entity = &level.entities[entity];
+        text.push_str(&format!("line {}: `{}` is inside a solid\n", entity.line, entity.class));
+    }
+    if let Some(moved) = displacement {
+        text.push_str(&format!("coordinates moved by {moved} at most\n"));
+    }
+    text
+}
+
+fn as_json(
+    input: &Input,
+    level: &Level,
+    cells: &LevelCells,
+    displacement: Option<&Rational>,
+) -> serde_json::Value {
+    let leaves = &cells.subdivision.leaves;
+    serde_json::json!({
+        "format": "stabline-bsp/1",
+        "input": input.file_name(),
+        "solid_brushes": count(level, Role::Solid),
+        "hint_brushes": count(level, Role::Hint),
+        "brushes": level.brushes.len(),
+        "warnings": level.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "leaves": leaves.len(),
+        "solid_leaves": leaves.iter().filter(|leaf| leaf.solid).count(),
+        "cells": cells.graph.cells.len(),
+        "portals": cells.graph.portals.len(),
+        "buried_entities": cells.buried.iter().map(|&e| level.entities[e].line).collect::<Vec<_>>(),
+        "displacement": displacement.map(ToString::to_string),
+    })
+}
