@@ -240,7 +240,7 @@ mod tests {
 
     fn plane(coefficients: [i64; 4], scale: u32) -> VertexPlane {
         let [a, b, c, d] = coefficients.map(|c| Int::from(c) << scale);
-        VertexPlane::new(BigPlane { normal: [a, b, c], offset: d + Int::from(scale) })
+        VertexPlane::new(BigPlane { normal: [a, b, c], offset: d })
     }
 
     /// A small generator of pseudo-random numbers (Marsaglia, Xorshift RNGs, 2003).
