@@ -188,6 +188,8 @@ pub fn orient3d_big(a: &BigPoint3, b: &BigPoint3, c: &BigPoint3, d: &BigPoint3) 
 
 /// [`orient3d`] on rational coordinates, without a common denominator of all four: each difference
 /// is taken times the two denominators that it has, which are positive.
+///
+/// Contract: exact, degree 3, unperturbed
 pub fn orient3d_rational(
     a: &RationalPoint3,
     b: &RationalPoint3,

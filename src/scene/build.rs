@@ -75,7 +75,7 @@ pub enum SceneErrorKind {
     /// axis of its largest area.
     #[error("not convex, and its outline crosses or touches itself, so that no triangles tile it")]
     NotSimple,
-    /// Coordinates with so many different denominators that no grid of a sane size holds the portal.
+    /// Coordinates with so many different denominators that no grid of a sane size holds them.
     #[error("the common denominator of the portal's coordinates exceeds {limit} bits")]
     HugeGrid {
         /// The limit.

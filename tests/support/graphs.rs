@@ -100,9 +100,9 @@ impl Graph {
         graph
     }
 
-    /// The same graph, every vertex moved a little towards the middle of its polygon, by a share with
-    /// a denominator of its own that is about `bits` long: planar polygons stay planar, and there is
-    /// no common grid.
+    /// The same graph, every vertex moved a little towards the middle of its polygon, by a share
+    /// with a denominator of its own that is about `bits` long: planar polygons stay planar, and
+    /// there is no common grid.
     pub fn shaken(&self, random: &mut Random, bits: u32) -> Graph {
         let mut graph = self.clone();
         for portal in &mut graph.portals {
