@@ -21,8 +21,9 @@ const FAMILIES: [Family; 3] = [Family::Rooms, Family::Convex, Family::Skew];
 /// A portal's vertices in world coordinates.
 fn polygon(graph: &PortalGraph, portal: usize) -> Vec<Point> {
     let place = |&vertex: &u32| {
-        let scale = Rational::from(graph.denominator.clone());
-        graph.vertices[vertex as usize].coordinates.clone().map(|c| Rational::from(c) / &scale)
+        let vertex = &graph.vertices[vertex as usize];
+        let ratio = |c: &Int| Rational::new(c.clone(), vertex.denominator().clone());
+        vertex.numerators().each_ref().map(ratio)
     };
     graph.portals[portal].vertices.iter().map(place).collect()
 }

@@ -15,10 +15,11 @@ fn inside(graph: &PortalGraph, cell: CellId) -> Option<RationalPoint3> {
     let near = graph.portals.iter().filter(|p| p.from == cell || p.to == cell);
     let vertices: Vec<_> = near
         .flat_map(|portal| &portal.vertices)
-        .map(|&vertex| &graph.vertices[vertex as usize].coordinates)
+        .map(|&vertex| &graph.vertices[vertex as usize])
         .collect();
-    let count = Int::from(vertices.len()) * &graph.denominator;
-    let mean = |i: usize| vertices.iter().map(|v| &v[i]).sum::<Int>() * 16 / &count;
+    let count = Int::from(vertices.len());
+    let sixteenths = |v: &RationalPoint3, i: usize| &v.numerators()[i] * 16 / v.denominator();
+    let mean = |i: usize| vertices.iter().map(|v| sixteenths(v, i)).sum::<Int>() / &count;
     (!vertices.is_empty()).then(|| RationalPoint3::new([0, 1, 2].map(mean), Int::from(16)))
 }
 

@@ -28,9 +28,8 @@ pub struct EyeGraph<'g> {
 }
 
 /// The place of a vertex in world coordinates.
-fn world(graph: &PortalGraph, vertex: u32) -> RationalPoint3 {
-    let grid = &graph.vertices[vertex as usize];
-    RationalPoint3::new(grid.coordinates.clone(), graph.denominator.clone())
+fn world(graph: &PortalGraph, vertex: u32) -> &RationalPoint3 {
+    &graph.vertices[vertex as usize]
 }
 
 impl<'g> EyeGraph<'g> {
@@ -51,7 +50,7 @@ impl<'g> EyeGraph<'g> {
         let inner = self.inner(portal, cell);
         let others = self.portals_of[cell.0 as usize].iter();
         let vertices = others.flat_map(|&other| &self.graph.portals[other].vertices);
-        let mut sides = vertices.map(|&v| side(&self.planes[portal], &world(self.graph, v)));
+        let mut sides = vertices.map(|&v| side(&self.planes[portal], world(self.graph, v)));
         sides.all(|side| side != -inner)
     }
 
