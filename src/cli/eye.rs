@@ -7,7 +7,6 @@ use crate::eye::{Cull, EyeGraph, Frustum, Lens, LocateError, Query, half_tangent
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, parse_decimal};
 use crate::report::InputId;
-use crate::scene;
 use num_integer::Integer;
 use std::path::PathBuf;
 

@@ -10,7 +10,7 @@ use super::level;
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
 use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
 use crate::report::{InputId, PvsReport};
-use crate::scene::{self, CellId, PortalGraph};
+use crate::scene::{CellId, PortalGraph};
 use keep::Keeper;
 use std::path::PathBuf;
 

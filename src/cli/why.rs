@@ -6,7 +6,7 @@ use super::level;
 use super::progress::{ProgressArgs, Watch};
 use crate::num::Number;
 use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, Hindrance, Obstacle, OpenPair};
-use crate::scene::{self, CellId, PortalGraph};
+use crate::scene::{CellId, PortalGraph};
 use std::path::PathBuf;
 
 /// Show the portals and the sightline between two cells, or what blocks them

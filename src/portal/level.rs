@@ -3,7 +3,8 @@
 use super::{Cells, Flood, Leak, enumerate, flood};
 use crate::geom::{BigPlane, RationalPoint3};
 use crate::num::Number;
-use crate::scene::{Brush, Level, PortalGraph, RawGraph, RawPortal, Role, SceneError};
+use crate::scene::level::{Brush, Level, Role};
+use crate::scene::{PortalGraph, RawGraph, RawPortal, SceneError};
 use crate::subdivision::{self, DivisionError, LeafId, Options, Subdivision};
 
 /// The inside of a level.
