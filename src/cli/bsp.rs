@@ -33,6 +33,9 @@ pub(super) struct Args {
     /// Liquids hide what is behind them
     #[arg(long)]
     opaque_liquids: bool,
+    /// Keep every digit of coordinates with more than six decimals
+    #[arg(long)]
+    keep_digits: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -40,7 +43,11 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let options = LevelOptions { opaque_liquids: args.opaque_liquids, ..LevelOptions::default() };
+    let options = LevelOptions {
+        opaque_liquids: args.opaque_liquids,
+        keep_digits: args.keep_digits,
+        ..LevelOptions::default()
+    };
     let level = level::read(&input, options)?;
     for warning in &level.warnings {
         eprintln!("{}: {warning}", input.name);

@@ -19,7 +19,7 @@ mod warning;
 use super::input::{InputError, InputErrorKind};
 use crate::formats::map::{self, MapEntity, MapFile};
 use crate::geom::{BigPlane, RationalPoint3};
-use crate::num::{Int, Rational, parse_decimal};
+use crate::num::{Int, Number, Rational, parse_decimal};
 use num_integer::Integer;
 use num_traits::One;
 
@@ -96,12 +96,24 @@ pub struct LevelOptions {
     /// Brushes of the world wholly of faces that are not drawn (`skip`, `trigger`) are ignored.
     /// Compilers make walls of them, and levels rely on that to be closed.
     pub see_through_skip: bool,
+    /// Faces keep every digit of their points. Otherwise a coordinate with more than six decimals
+    /// is taken for the multiple of 10^-6 next to it: editors write -281.59999999999997 for -281.6,
+    /// and levels with such walls have cracks that nobody made.
+    pub keep_digits: bool,
 }
 
 impl Level {
     /// The level that a `.map` states.
     pub fn from_map(file: &MapFile, options: LevelOptions) -> Level {
         let mut level = Level { brushes: Vec::new(), entities: Vec::new(), warnings: Vec::new() };
+        let rounded;
+        let file = match options.keep_digits {
+            true => file,
+            false => {
+                rounded = level.rounded(file);
+                &rounded
+            }
+        };
         for (index, entity) in file.entities.iter().enumerate() {
             level.add_entity(index, entity, options);
         }
@@ -111,6 +123,38 @@ impl Level {
     /// The places that mark the inside of a solid world: the origins of entities without brushes.
     pub fn inside_points(&self) -> impl Iterator<Item = &RationalPoint3> {
         self.entities.iter().filter(|entity| entity.is_point).filter_map(|e| e.origin.as_ref())
+    }
+
+    /// The file without digits beyond the sixth decimal, with a warning if there were any.
+    fn rounded(&mut self, file: &MapFile) -> MapFile {
+        let mut file = file.clone();
+        let mut first = None;
+        let (mut count, mut largest) = (0, Rational::from(Int::ZERO));
+        let unit = Int::from(1_000_000);
+        for (index, entity) in file.entities.iter_mut().enumerate() {
+            for face in entity.brushes.iter_mut().flat_map(|brush| &mut brush.faces) {
+                for coordinate in face.points.as_flattened_mut() {
+                    let exact = coordinate.to_rational();
+                    let scaled = &exact * &unit;
+                    if scaled.is_integer() {
+                        continue;
+                    }
+                    let near = Rational::new(scaled.round().to_integer(), unit.clone());
+                    let moved = exact - &near;
+                    largest =
+                        largest.max(if moved < Rational::from(Int::ZERO) { -moved } else { moved });
+                    count += 1;
+                    first.get_or_insert((index, face.line));
+                    *coordinate = Number::from(near);
+                }
+            }
+        }
+        if let Some((entity, line)) = first {
+            let class = file.entities[entity].value("classname").unwrap_or_default().to_owned();
+            let kind = LevelWarningKind::Rounded { count, largest };
+            self.warnings.push(LevelWarning { line, entity, class, brush: None, kind });
+        }
+        file
     }
 
     fn add_entity(&mut self, index: usize, entity: &MapEntity, options: LevelOptions) {

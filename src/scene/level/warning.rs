@@ -1,5 +1,7 @@
 //! What a level's reader repaired or left out, and where.
 
+use crate::num::Rational;
+
 /// Something of a level that was repaired or left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LevelWarning {
@@ -35,6 +37,17 @@ pub enum LevelWarningKind {
     /// An entity without a class.
     #[error("no `classname`; the entity is a detail object")]
     NoClass,
+    /// Coordinates of faces with more than six decimals; this is the first such face.
+    #[error(
+        "{count} coordinates of faces, from here on, have more than six decimals; each is rounded \
+         to six, by {largest} at most"
+    )]
+    Rounded {
+        /// How many.
+        count: usize,
+        /// The largest displacement.
+        largest: Rational,
+    },
     /// An origin that is not three numbers.
     #[error("origin `{0}` is not three numbers; the entity has none")]
     Origin(String),
