@@ -16,8 +16,8 @@ use std::path::PathBuf;
 
 /// Compute which cells see which, exactly, with a sightline for every open pair
 ///
-/// INPUT is a portal file (`.prt`) or a JSON scene with cells and portals. Without `-o` and
-/// `--npy` a summary is printed; `-o -` prints the whole result.
+/// INPUT is a portal file (`.prt`), a JSON scene with cells and portals, or a level's source
+/// (`.map`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The portal graph
