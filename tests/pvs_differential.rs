@@ -193,7 +193,7 @@ fn vertices_without_a_common_grid_decide_as_the_twin_does() {
                 }
                 let matrix = checked(&graph, &Options::default(), &name);
                 // The twin's numbers are as long as a sequence: small graphs only.
-                if graph.portals.len() <= 5 || (bits == 20 && family == Family::Rooms) {
+                if graph.portals.len() <= if bits == 20 { 7 } else { 5 } {
                     open += assert_is_twin(&matrix, &graph, &name);
                 }
                 let options = Options { without_filters: true, ..Options::default() };

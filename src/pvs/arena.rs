@@ -284,6 +284,12 @@ impl Arena {
         !self.order.is_implied(PortalId(first / 2), PortalId(second / 2))
     }
 
+    /// Whether no line crosses `first` and then `second`, which leaves the cell that `first` enters,
+    /// because both are of one plane.
+    pub fn is_impossible(&self, first: Directed, second: Directed) -> bool {
+        self.order.is_impossible(PortalId(first / 2), PortalId(second / 2))
+    }
+
     /// The portals of a sequence for the exact stabber, and how many of their units make one world
     /// unit: world units if all of their vertices have whole coordinates there (small numbers are
     /// quick), else those of the grid, or where a vertex is off it, of the vertices' lowest common

@@ -54,7 +54,7 @@ impl<'a> Decider<'a> {
     }
 
     /// Notes that the path has grown by its last portal; `false` if its edges exclude each other,
-    /// which is proved.
+    /// or its last two portals do, which is proved.
     pub fn extend(&mut self, path: &[Directed], tally: &mut Tally) -> bool {
         debug_assert_eq!(self.known.len() + 1, path.len(), "a path grows by one portal");
         let (arena, last) = (self.arena, path[path.len() - 1]);
@@ -66,8 +66,9 @@ impl<'a> Decider<'a> {
             point: before.map(|before| before.point.clone()).unwrap_or_default(),
             ray: ray.cloned(),
         };
-        let mut possible = true;
-        if known.ray.is_none() && !known.point.passes(arena, last) {
+        let mut possible =
+            !path.windows(2).next_back().is_some_and(|pair| arena.is_impossible(pair[0], pair[1]));
+        if possible && known.ray.is_none() && !known.point.passes(arena, last) {
             self.cone.set(arena, path);
             if let Err(edges) = self.cone.find_point(&mut known.point)
                 && arena.grid().exclude_each_other(&edges)

@@ -11,6 +11,10 @@
 //! can only lead back to A, where the sequence was before. Such a loop adds nothing: a line that
 //! crosses … o, p, q, r … in order crosses o before r, so it crosses … o, r … in order too. The
 //! searches therefore enter no cell twice, the pair is never asked for, and it counts as implied.
+//!
+//! **Two portals of one plane** that are crossed the same way, into the cell and out of it, are met
+//! at one point and not one after the other: no line crosses them in order. (A cell between them
+//! would have no inside there; only graphs that describe no space have such pairs.)
 
 use super::polygon::{cross, difference, dot};
 use super::{PortalGraph, PortalId};
@@ -24,6 +28,8 @@ pub struct CellOrder {
     pub nonconvex_cells: u32,
     /// Each pair with the lower id first, in ascending order.
     pairs: Vec<[PortalId; 2]>,
+    /// Pairs of one plane that are crossed the same way, listed like the others.
+    flush: Vec<[PortalId; 2]>,
 }
 
 impl CellOrder {
@@ -46,6 +52,12 @@ impl CellOrder {
     /// that share both their cells count as implied: no sequence without a repeated cell has both.
     pub fn is_implied(&self, p: PortalId, q: PortalId) -> bool {
         self.pairs.binary_search(&[p.min(q), p.max(q)]).is_err()
+    }
+
+    /// Whether `p` and `q`, the one crossed into the cell that they share and the other out of it,
+    /// are met at one point by every line, so that none crosses the one before the other.
+    pub fn is_impossible(&self, p: PortalId, q: PortalId) -> bool {
+        self.flush.binary_search(&[p.min(q), p.max(q)]).is_ok()
     }
 
     /// The pairs whose order is not implied, the lower id first, in ascending order.
@@ -113,6 +125,14 @@ fn examine<T: Signed + Clone + PartialOrd>(
             if inwards { value >= offset } else { value <= offset }
         })
     };
+    // Whether two portals that are inside each other are of one plane and crossed the same way.
+    let is_flush = |p: (usize, bool), q: (usize, bool)| {
+        is_inside((p.0, !p.1), q.0) && {
+            let parallel = planes[p.0].normal.iter().zip(&planes[q.0].normal);
+            let agree = parallel.into_iter().any(|(a, b)| !a.is_zero() && a.signum() == b.signum());
+            agree == (p.1 != q.1)
+        }
+    };
     let mut order = CellOrder::default();
     for portals in &portals_of_cell {
         let mut convex = true;
@@ -123,11 +143,15 @@ fn examine<T: Signed + Clone + PartialOrd>(
                 if !p_holds_q && !q_holds_p && !share_both_cells(graph, p.0, q.0) {
                     order.pairs.push([PortalId(q.0 as u32), PortalId(p.0 as u32)]);
                 }
+                if p_holds_q && q_holds_p && is_flush(p, q) {
+                    order.flush.push([PortalId(q.0 as u32), PortalId(p.0 as u32)]);
+                }
             }
         }
         order.nonconvex_cells += u32::from(!convex);
     }
     order.pairs.sort_unstable();
+    order.flush.sort_unstable();
     order
 }
 

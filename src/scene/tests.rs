@@ -268,3 +268,24 @@ fn the_order_of_portals_is_implied_in_convex_cells() {
     assert!(!order.is_implied(PortalId(1), PortalId(0)));
     assert!(order.is_implied(PortalId(1), PortalId(2)));
 }
+
+#[test]
+fn portals_of_one_plane_that_are_crossed_the_same_way_have_no_order() {
+    // Two doors of the plane x = 0: out of cell 0 into cell 1, and out of cell 1 into cell 2.
+    let door = |cells: &str, corners: &str| format!("4 {cells} {corners}\n");
+    let one = "(0 0 0 ) (0 4 0 ) (0 4 4 ) (0 0 4 )";
+    let other = "(0 1 1 ) (0 5 1 ) (0 5 5 ) (0 1 5 )";
+    let turned = "(0 1 5 ) (0 5 5 ) (0 5 1 ) (0 1 1 )";
+    for (cells, corners, expected) in [
+        ("1 2", other, true),
+        // Written from the other side, the same; turned about, an ordinary wall with two doors.
+        ("2 1", turned, true),
+        ("1 2", turned, false),
+        ("2 1", other, false),
+    ] {
+        let text = format!("PRT1\n3\n2\n{}{}", door("0 1", one), door(cells, corners));
+        let order = CellOrder::new(&read_graph("x.prt", text.as_bytes()).unwrap());
+        assert_eq!(order.is_impossible(PortalId(1), PortalId(0)), expected, "{cells} {corners}");
+        assert!(order.is_implied(PortalId(0), PortalId(1)));
+    }
+}
