@@ -100,15 +100,19 @@ impl Bounds {
     }
 }
 
-/// The (undirected) portals that might reach in front of the plane of `portal`: only to leave one
-/// out takes proof.
+/// A share of the scene's size that no rounding of a float comes near.
+const CLEARLY: f64 = 1e-9;
+
+/// The (undirected) portals that reach in front of the plane of `portal`: those whose centre is
+/// clearly there, and those that are found to have a vertex there.
 fn front(arena: &Arena, portal: Directed) -> Bits {
     let plane = arena.plane_of(portal);
     let (normal, offset) = (DVec3::from(plane.filter().normal()), plane.filter().offset());
+    let offset = offset + CLEARLY * normal.length() * arena.bound().largest();
     let mut front = Bits::new(arena.directed() as usize / 2);
     for other in 0..arena.directed() / 2 {
-        let seems_in_front = normal.dot(arena.outline(2 * other).center) > offset;
-        if seems_in_front || !arena.wholly_behind(plane, 2 * other) {
+        let is_clear = normal.dot(arena.outline(2 * other).center) > offset;
+        if is_clear || !arena.wholly_behind(plane, 2 * other) {
             front.insert(other);
         }
     }
