@@ -14,10 +14,9 @@
 
 use super::arena::{Arena, Directed, reverse};
 use super::bits::{Bits, SharedBits};
-use super::propose::PlaneHints;
+use super::propose::{ClearFront, PlaneHints};
 use super::separators::separators;
 use crate::report::Progress;
-use glam::DVec3;
 use rayon::prelude::*;
 
 /// For each directed portal, those that might be crossed after it.
@@ -100,18 +99,14 @@ impl Bounds {
     }
 }
 
-/// A share of the scene's size that no rounding of a float comes near.
-const CLEARLY: f64 = 1e-9;
-
 /// The (undirected) portals that reach in front of the plane of `portal`: those whose centre is
 /// clearly there, and those that are found to have a vertex there.
 fn front(arena: &Arena, portal: Directed) -> Bits {
     let plane = arena.plane_of(portal);
-    let (normal, offset) = (DVec3::from(plane.filter().normal()), plane.filter().offset());
-    let offset = offset + CLEARLY * normal.length() * arena.bound().largest();
+    let clearly = ClearFront::new(plane.filter(), arena.bound());
     let mut front = Bits::new(arena.directed() as usize / 2);
     for other in 0..arena.directed() / 2 {
-        let is_clear = normal.dot(arena.outline(2 * other).center) > offset;
+        let is_clear = clearly.has(arena.outline(2 * other).center);
         if is_clear || !arena.wholly_behind(plane, 2 * other) {
             front.insert(other);
         }
