@@ -183,7 +183,7 @@ fn vertices_without_a_common_grid_decide_as_the_twin_does() {
     let mut open = 0;
     for family in Family::ALL {
         let start = std::time::Instant::now();
-        for seed in seeds(5) {
+        for seed in seeds(10) {
             for bits in [20, 60] {
                 let name = format!("{family:?} {seed}, {bits} bits");
                 let moved = Graph::random(family, 9000 + seed).shaken(&mut Random::new(seed), bits);

@@ -284,8 +284,8 @@ impl Arena {
         !self.order.is_implied(PortalId(first / 2), PortalId(second / 2))
     }
 
-    /// Whether no line crosses `first` and then `second`, which leaves the cell that `first` enters,
-    /// because both are of one plane.
+    /// Whether no line crosses `first` and then `second`, which leaves the cell that `first`
+    /// enters, because both are of one plane.
     pub fn is_impossible(&self, first: Directed, second: Directed) -> bool {
         self.order.is_impossible(PortalId(first / 2), PortalId(second / 2))
     }
