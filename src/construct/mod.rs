@@ -6,11 +6,13 @@
 //! against a plane.
 
 mod bounds;
+mod cut_out;
 mod planes;
 mod polygon;
 mod polyhedron;
 
 pub use bounds::Bounds;
+pub use cut_out::{Boxed, Limits};
 pub use planes::{PlaneId, PlaneSet};
 pub use polygon::{Extent, Polygon, Split};
 pub use polyhedron::{Polyhedron, SolidError, mean};

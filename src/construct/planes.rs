@@ -63,6 +63,11 @@ impl PlaneSet {
         Some(if negative { id.flipped() } else { id })
     }
 
+    /// The ids of some planes; the index of the first whose normal is zero, if one is.
+    pub fn intern_all(&mut self, planes: &[BigPlane]) -> Result<Vec<PlaneId>, usize> {
+        planes.iter().enumerate().map(|(i, plane)| self.intern(plane).ok_or(i)).collect()
+    }
+
     /// The plane x = at, y = at or z = at, positive towards larger coordinates.
     pub fn axial(&mut self, axis: usize, at: Int) -> PlaneId {
         let mut normal = [Int::ZERO, Int::ZERO, Int::ZERO];

@@ -13,8 +13,10 @@
 
 use super::{PlaneId, PlaneSet};
 use crate::geom::RationalPoint3;
-use crate::num::Sign;
+use crate::geom::vector::cross;
+use crate::num::{Rational, Sign};
 use crate::predicates::{Vertex, side_of_vertex};
+use num_traits::Zero;
 
 /// A convex polygon.
 #[derive(Clone, Debug)]
@@ -95,6 +97,17 @@ impl Polygon {
     /// The vertices in lowest terms.
     pub fn points(&self) -> Vec<RationalPoint3> {
         self.vertices().map(Vertex::point).collect()
+    }
+
+    /// Twice its area vector, along the normal of the support: the sum of the cross products of
+    /// neighbouring vertices.
+    pub fn doubled_area(&self) -> [Rational; 3] {
+        let points: Vec<_> = self.points().iter().map(RationalPoint3::coordinates).collect();
+        let next = points.iter().cycle().skip(1);
+        let parts = points.iter().zip(next).map(|(p, q)| cross(p, q));
+        parts.fold([(); 3].map(|()| Rational::zero()), |sum, part| {
+            std::array::from_fn(|i| &sum[i] + &part[i])
+        })
     }
 
     /// The same polygon seen from its other side.

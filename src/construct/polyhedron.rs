@@ -3,6 +3,7 @@
 use super::polygon::Extent;
 use super::{Bounds, PlaneId, PlaneSet, Polygon, Split};
 use crate::geom::RationalPoint3;
+use crate::geom::vector::determinant;
 use crate::num::{Int, Rational};
 
 /// A bounded convex polyhedron with volume: its faces, their supports pointing outwards.
@@ -127,29 +128,14 @@ pub fn mean(points: impl Iterator<Item = RationalPoint3>) -> RationalPoint3 {
     let zero = || Rational::from(Int::ZERO);
     let (mut sum, mut count) = ([zero(), zero(), zero()], 0);
     for point in points {
-        let point = rational(&point);
+        let point = point.coordinates();
         sum = std::array::from_fn(|i| &sum[i] + &point[i]);
         count += 1;
     }
-    let [x, y, z] = sum.map(|c| c / Int::from(count));
-    let common =
-        num_integer::lcm(num_integer::lcm(x.denom().clone(), y.denom().clone()), z.denom().clone());
-    RationalPoint3::new([x, y, z].map(|c| (c * &common).to_integer()), common)
-}
-
-fn rational(point: &RationalPoint3) -> [Rational; 3] {
-    point.numerators().each_ref().map(|c| Rational::new(c.clone(), point.denominator().clone()))
+    RationalPoint3::from(&sum.map(|c| c / Int::from(count)))
 }
 
 fn pyramids(face: &Polygon) -> Rational {
-    let points: Vec<[Rational; 3]> = face.points().iter().map(rational).collect();
+    let points: Vec<_> = face.points().iter().map(RationalPoint3::coordinates).collect();
     points.windows(2).skip(1).map(|pair| determinant([&points[0], &pair[0], &pair[1]])).sum()
-}
-
-fn determinant([a, b, c]: [&[Rational; 3]; 3]) -> Rational {
-    let term = |i: usize| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        &a[i] * (&b[j] * &c[k] - &b[k] * &c[j])
-    };
-    term(0) + term(1) + term(2)
 }

@@ -2,6 +2,7 @@
 
 use super::Tree;
 use crate::construct::{PlaneSet, Polygon, Polyhedron, Split};
+use crate::geom::vector::dot;
 use crate::num::{Int, Rational};
 use num_traits::Zero;
 
@@ -39,24 +40,8 @@ fn against_outside(planes: &PlaneSet, tree: &Tree, face: Polygon, boundary: &mut
 
 /// A polygon's area, if it is rational.
 pub(super) fn area(polygon: &Polygon) -> Option<Rational> {
-    let points: Vec<[Rational; 3]> = polygon
-        .points()
-        .iter()
-        .map(|p| {
-            p.numerators().each_ref().map(|c| Rational::new(c.clone(), p.denominator().clone()))
-        })
-        .collect();
-    let from_first =
-        |p: &[Rational; 3]| -> [Rational; 3] { std::array::from_fn(|i| &p[i] - &points[0][i]) };
-    let mut doubled = [(); 3].map(|()| Rational::from(Int::ZERO));
-    for pair in points[1..].windows(2) {
-        let (a, b) = (from_first(&pair[0]), from_first(&pair[1]));
-        for (i, sum) in doubled.iter_mut().enumerate() {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            *sum += &a[j] * &b[k] - &a[k] * &b[j];
-        }
-    }
-    let square: Rational = doubled.iter().map(|c| c * c).sum();
+    let doubled = polygon.doubled_area();
+    let square = dot(&doubled, &doubled);
     Some(root(&square)? / Int::from(2))
 }
 

@@ -1,6 +1,7 @@
 //! Expressions of brushes: their operators, common brushes, affine maps.
 
 use crate::geom::BigPlane;
+use crate::geom::vector::{cross, determinant, difference, dot};
 use crate::num::{Int, Rational, Sign};
 use num_integer::Integer;
 use num_traits::Zero;
@@ -53,49 +54,31 @@ pub(super) struct Flat {
 }
 
 impl Transform {
-    /// Whether it can be undone: its determinant is not zero.
+    /// The factor by which it scales volumes, negative if it mirrors.
+    pub fn scale(&self) -> Rational {
+        determinant(self.matrix.each_ref())
+    }
+
+    /// Whether it can be undone.
     pub fn is_invertible(&self) -> bool {
-        !determinant(&self.matrix).is_zero()
+        !self.scale().is_zero()
     }
 
     /// The half-space of the images of a half-space's points. Requires: the map is invertible.
     fn image(&self, half: &Half) -> Half {
-        // n · x <= c with x = M^-1 (y - s): the new normal is M^-T n, times |det| to spare the
-        // division: the cofactor matrix of M times n, times the sign of det.
-        let sign = Rational::from(match Sign::of(&determinant(&self.matrix)) {
-            Sign::Negative => Int::from(-1),
-            // Not reached by an invertible map.
-            Sign::Zero => Int::ZERO,
-            Sign::Positive => Int::from(1),
-        });
-        let m = &self.matrix;
-        let cofactor = |i: usize, j: usize| {
-            let ([a, b], [c, d]) = ([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3]);
-            &m[a][c] * &m[b][d] - &m[a][d] * &m[b][c]
+        // n · x <= c with x = M^-1 (y - s): the new normal is M^-T n, times |det M| to spare the
+        // division. With the rows a, b, c of M, det M · M^-T has the rows b × c, c × a, a × b.
+        let [a, b, c] = &self.matrix;
+        let cofactors = [cross(b, c), cross(c, a), cross(a, b)];
+        let normal = cofactors.each_ref().map(|row| dot(row, &half.normal));
+        let (normal, scale) = match Sign::of(&self.scale()) {
+            // Zero: not an invertible map, of which nothing is promised.
+            Sign::Positive | Sign::Zero => (normal, self.scale()),
+            Sign::Negative => (normal.map(|c| -c), -self.scale()),
         };
-        let normal: [Rational; 3] = std::array::from_fn(|i| {
-            let sum: Rational = (0..3).map(|j| cofactor(i, j) * &half.normal[j]).sum();
-            sum * &sign
-        });
-        let scale = determinant(&self.matrix) * &sign;
-        let along: Rational = (0..3).map(|i| &normal[i] * &self.shift[i]).sum();
+        let along = dot(&normal, &self.shift);
         Half { normal, offset: &half.offset * scale + along }
     }
-}
-
-/// The factor by which a map scales volumes, negative if it mirrors.
-#[cfg(test)]
-pub(super) fn determinant_of(map: &Transform) -> Rational {
-    determinant(&map.matrix)
-}
-
-fn determinant(m: &[[Rational; 3]; 3]) -> Rational {
-    (0..3)
-        .map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            &m[0][i] * (&m[1][j] * &m[2][k] - &m[1][k] * &m[2][j])
-        })
-        .sum()
 }
 
 impl Expression {
@@ -131,15 +114,9 @@ impl Expression {
 /// that point is on the plane, or the three are collinear.
 fn half_through(points: [&[Rational; 3]; 3], inner: &[Rational; 3]) -> Option<Half> {
     let [a, b, c] = points;
-    let sub = |p: &[Rational; 3]| -> [Rational; 3] { std::array::from_fn(|i| &p[i] - &a[i]) };
-    let (u, v) = (sub(b), sub(c));
-    let normal: [Rational; 3] = std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        &u[j] * &v[k] - &u[k] * &v[j]
-    });
-    let dot = |p: &[Rational; 3]| -> Rational { (0..3).map(|i| &normal[i] * &p[i]).sum() };
-    let offset = dot(a);
-    match Sign::of(&(dot(inner) - &offset)) {
+    let normal = cross(&difference(b, a), &difference(c, a));
+    let offset = dot(&normal, a);
+    match Sign::of(&(dot(&normal, inner) - &offset)) {
         Sign::Negative => Some(Half { normal, offset }),
         Sign::Positive => Some(Half { normal: normal.map(|c| -c), offset: -offset }),
         // Also where the three points are collinear: the normal is zero then.
@@ -158,10 +135,7 @@ pub fn hull(points: &[[Rational; 3]]) -> Vec<Half> {
         for (j, b) in points.iter().enumerate().skip(i + 1) {
             for c in &points[j + 1..] {
                 let Some(half) = half_through([a, b, c], &center) else { continue };
-                let holds = |p: &[Rational; 3]| {
-                    (0..3).map(|i| &half.normal[i] * &p[i]).sum::<Rational>() <= half.offset
-                };
-                if points.iter().all(holds) {
+                if points.iter().all(|p| dot(&half.normal, p) <= half.offset) {
                     halves.push(half);
                 }
             }

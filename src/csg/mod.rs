@@ -17,7 +17,7 @@ mod tests;
 
 pub use expression::{Expression, Half, Transform, hull, prism, pyramid};
 
-use crate::construct::{Bounds, PlaneId, PlaneSet, Polygon, Polyhedron};
+use crate::construct::{Bounds, Boxed, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError};
 use crate::num::{Int, Rational};
 use expression::{Flat, flatten};
 
@@ -84,25 +84,26 @@ pub fn evaluate(expression: &Expression) -> Result<Body, CsgError> {
     let mut planes = PlaneSet::default();
     let mut ids = Vec::with_capacity(brushes.len());
     for (brush, half_spaces) in brushes.iter().enumerate() {
-        let interned = half_spaces
-            .iter()
-            .enumerate()
-            .map(|(plane, p)| planes.intern(p).ok_or(CsgError::NoNormal { brush, plane }));
-        ids.push(interned.collect::<Result<Vec<_>, _>>()?);
+        let interned = planes.intern_all(half_spaces);
+        ids.push(interned.map_err(|plane| CsgError::NoNormal { brush, plane })?);
     }
-    let (solids, bounds) = cut_out(&mut planes, &ids)?;
+    let limits = Limits::new(&mut planes);
+    let mut solids = Vec::with_capacity(ids.len());
+    for (brush, half_spaces) in ids.iter().enumerate() {
+        solids.push(match limits.cut_out(&planes, half_spaces) {
+            Ok(solid) => Some(solid),
+            Err(SolidError::Flat) => None,
+            Err(SolidError::Unbounded) => return Err(CsgError::UnboundedBrush { brush }),
+        });
+    }
+    let bounds = Bounds::around(&mut planes, solids.iter().flatten(), &Int::from(1));
+    let bounds = bounds.ok_or(CsgError::NoBrush)?;
+    // A brush without volume holds nothing.
+    let known = solids.iter().map(|solid| solid.is_none().then_some(false)).collect();
     let flat = (0..solids.len()).filter(|&brush| solids[brush].is_none()).collect();
-    let mut known: Vec<Option<bool>> = vec![None; solids.len()];
-    let brushes: Vec<Option<Brush>> = solids
-        .into_iter()
-        .zip(ids)
-        .map(|(solid, planes)| solid.map(|solid| Brush { planes, solid }))
+    let brushes: Vec<Option<Brush>> = (solids.into_iter().zip(ids))
+        .map(|(solid, planes)| solid.map(|Boxed { solid, .. }| Brush { planes, solid }))
         .collect();
-    for (known, brush) in known.iter_mut().zip(&brushes) {
-        if brush.is_none() {
-            *known = Some(false);
-        }
-    }
     let mut division = Division {
         planes: &planes,
         bounds: &bounds,
@@ -132,45 +133,6 @@ impl Body {
     pub fn surface_area(&self) -> Option<Rational> {
         self.boundary.iter().map(boundary::area).sum()
     }
-}
-
-/// The brushes with volume, and a box with a margin around them all.
-fn cut_out(
-    planes: &mut PlaneSet,
-    ids: &[Vec<PlaneId>],
-) -> Result<(Vec<Option<Polyhedron>>, Bounds), CsgError> {
-    // Vertices are quotients of determinants of the coefficients, so this box holds them all.
-    let (normal, offset) = planes.bits();
-    let far = Int::from(1) << (2 * normal + offset + 4);
-    let world = Bounds::new(planes, &[(); 3].map(|()| -&far), &[(); 3].map(|()| far.clone()));
-    let mut solids = Vec::with_capacity(ids.len());
-    let mut reach: Option<[[Int; 3]; 2]> = None;
-    for (brush, half_spaces) in ids.iter().enumerate() {
-        let solid = Polyhedron::of_half_spaces(planes, &world, half_spaces);
-        let faces = solid.iter().flat_map(Polyhedron::faces);
-        if faces.clone().any(|face| world.planes().contains(&face.support())) {
-            return Err(CsgError::UnboundedBrush { brush });
-        }
-        for point in faces.flat_map(Polygon::points) {
-            let low = point.numerators().each_ref().map(|c| floor(c, point.denominator()) - 1);
-            let high = low.each_ref().map(|c| c + 3);
-            reach = Some(match reach {
-                None => [low, high],
-                Some([l, h]) => [
-                    std::array::from_fn(|i| low[i].clone().min(l[i].clone())),
-                    std::array::from_fn(|i| high[i].clone().max(h[i].clone())),
-                ],
-            });
-        }
-        solids.push(solid);
-    }
-    let [low, high] = reach.ok_or(CsgError::NoBrush)?;
-    let bounds = Bounds::new(planes, &low, &high);
-    Ok((solids, bounds))
-}
-
-fn floor(numerator: &Int, denominator: &Int) -> Int {
-    num_integer::Integer::div_floor(numerator, denominator)
 }
 
 /// The division of the box.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::geom::RationalPoint3;
+use crate::geom::vector::determinant;
 use crate::oracle::Random;
 use std::collections::BTreeMap;
 
@@ -49,21 +50,9 @@ fn volume(expression: &Expression) -> Rational {
     volume
 }
 
-fn coordinates(point: &RationalPoint3) -> [Rational; 3] {
-    point.numerators().each_ref().map(|c| Rational::new(c.clone(), point.denominator().clone()))
-}
-
 fn six_volumes_over_origin(face: &Polygon) -> Rational {
-    let p: Vec<_> = face.points().iter().map(coordinates).collect();
-    let det = |a: &[Rational; 3], b: &[Rational; 3], c: &[Rational; 3]| -> Rational {
-        (0..3)
-            .map(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                &a[i] * (&b[j] * &c[k] - &b[k] * &c[j])
-            })
-            .sum()
-    };
-    p[1..].windows(2).map(|pair| det(&p[0], &pair[0], &pair[1])).sum()
+    let p: Vec<_> = face.points().iter().map(RationalPoint3::coordinates).collect();
+    p[1..].windows(2).map(|pair| determinant([&p[0], &pair[0], &pair[1]])).sum()
 }
 
 /// On every line, the edges in one direction cover what those in the other do.
@@ -71,7 +60,7 @@ fn assert_closed(body: &Body) {
     type Line = [Rational; 6];
     let mut steps: BTreeMap<Line, BTreeMap<Rational, i64>> = BTreeMap::new();
     for face in &body.boundary {
-        let points: Vec<_> = face.points().iter().map(coordinates).collect();
+        let points: Vec<_> = face.points().iter().map(RationalPoint3::coordinates).collect();
         for (i, p) in points.iter().enumerate() {
             let q = &points[(i + 1) % points.len()];
             let mut d: [Rational; 3] = std::array::from_fn(|k| &q[k] - &p[k]);
@@ -132,7 +121,7 @@ fn affine_maps_scale_volumes_by_their_determinant() {
         let matrix = [(); 3].map(|()| [(); 3].map(|()| entry(&mut random)));
         let map = Transform { matrix, shift: [(); 3].map(|()| entry(&mut random)) };
         if map.is_invertible() {
-            let scale = expression::determinant_of(&map);
+            let scale = map.scale();
             let size = if scale < rational(0) { -scale } else { scale };
             assert_eq!(volume(&a.transformed(&map)), volume(&a) * size, "{a:?} {map:?}");
         }

@@ -8,6 +8,7 @@
 //! rounded up within a factor of 1 + 2^-32: the frustum then holds the true one.
 
 use super::Cone;
+use crate::geom::vector::{cross, dot};
 use crate::num::{Int, Rational, Sign};
 use crate::predicates::Direction;
 use num_integer::{Integer, Roots};
@@ -176,12 +177,4 @@ fn root_up(square: &Rational) -> (Rational, bool) {
 fn whole(vector: [Rational; 3]) -> [Int; 3] {
     let common = vector.iter().fold(Int::one(), |c, x| c.lcm(x.denom()));
     super::primitive(vector.map(|x| x.numer() * (&common / x.denom())))
-}
-
-fn dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn cross(a: &[Rational; 3], b: &[Rational; 3]) -> [Rational; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }

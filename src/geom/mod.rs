@@ -4,6 +4,7 @@ mod line;
 mod plane;
 mod plucker;
 mod point;
+pub mod vector;
 
 pub use line::{BigLine, Line};
 pub use plane::{BigPlane, Plane};

@@ -6,6 +6,7 @@
 //! normal of the planes that contain it.
 
 use super::BigLine;
+use super::vector::{cross, dot};
 use crate::num::{Int, Rational};
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -39,14 +40,6 @@ impl BigLine {
     pub fn side_product(&self, other: &BigLine) -> Int {
         dot(&self.direction, &other.moment) + dot(&self.moment, &other.direction)
     }
-}
-
-fn dot(a: &[Int; 3], b: &[Int; 3]) -> Int {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn cross(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
 
 #[cfg(test)]

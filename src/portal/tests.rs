@@ -17,22 +17,6 @@ fn point(coordinates: [i64; 3]) -> RationalPoint3 {
     RationalPoint3::new(coordinates.map(Int::from), Int::from(1))
 }
 
-/// Twice the area vector: the sum of the cross products of neighbouring vertices.
-fn area(polygon: &Polygon) -> [Rational; 3] {
-    let points: Vec<[Rational; 3]> = polygon
-        .points()
-        .iter()
-        .map(|p| {
-            p.numerators().each_ref().map(|c| Rational::new(c.clone(), p.denominator().clone()))
-        })
-        .collect();
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let next = points.iter().cycle().skip(1);
-        points.iter().zip(next).map(|(p, q)| &p[j] * &q[k] - &p[k] * &q[j]).sum()
-    })
-}
-
 /// All pairs of empty leaves with a common polygon, face by face: the twin of the tree's way.
 fn common_faces(subdivision: &Subdivision) -> BTreeMap<(LeafId, LeafId), [Rational; 3]> {
     let mut common = BTreeMap::new();
@@ -52,7 +36,7 @@ fn common_faces(subdivision: &Subdivision) -> BTreeMap<(LeafId, LeafId), [Ration
                     .filter(|plane| *plane != support.flipped())
                     .try_fold(face.clone(), |rest, plane| rest.inside(planes, plane));
                 if let Some(shared) = shared {
-                    let twice = common.insert((from, to), area(&shared));
+                    let twice = common.insert((from, to), shared.doubled_area());
                     assert_eq!(twice, None, "two leaves share two faces");
                 }
             }
@@ -69,7 +53,7 @@ fn portals_are_the_common_faces_of_empty_leaves() {
         let (subdivision, portals) = divide(&random_solids(random, count));
         let found: BTreeMap<_, _> = portals
             .iter()
-            .map(|portal| ((portal.from, portal.to), area(&portal.polygon)))
+            .map(|portal| ((portal.from, portal.to), portal.polygon.doubled_area()))
             .collect();
         assert_eq!(found.len(), portals.len(), "seed {seed}");
         assert_eq!(found, common_faces(&subdivision), "seed {seed}");
@@ -96,7 +80,7 @@ fn portals_lie_between_their_leaves_and_in_no_solid() {
             assert_eq!(side_of_point(support, &beyond), Sign::Positive);
             let normal = support.plane().normal.clone();
             let along: Rational =
-                area(&portal.polygon).iter().zip(normal).map(|(a, n)| a * n).sum();
+                portal.polygon.doubled_area().iter().zip(normal).map(|(a, n)| a * n).sum();
             assert!(along > Rational::from(Int::ZERO), "seed {seed}: not counter-clockwise");
         }
     }

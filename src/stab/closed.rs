@@ -7,7 +7,8 @@
 //! 128 bits: with entries below 2^r and 2^l, six products sum to less than 2^(r + l + 3).
 
 use super::quadric::Vector;
-use super::sequence::{Portal3, cross};
+use super::sequence::Portal3;
+use crate::geom::vector::cross;
 use crate::num::Int;
 use num_traits::ToPrimitive;
 

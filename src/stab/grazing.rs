@@ -23,9 +23,10 @@ use super::closed::ClosedPortal;
 use super::engine::{Engine, Range};
 use super::line::{ExactLine, StabLine, meet_of_planes, slope_of};
 use super::quadric::{Vector, extremum_of_sign, quadric, side};
-use super::sequence::{Portal3, cross, dot3};
+use super::sequence::Portal3;
 use super::stabber::{decide_open, rows_of};
 use super::witness::{plus, zero};
+use crate::geom::vector::{cross, dot};
 use crate::num::{Int, Sign, Surd};
 
 /// The portals' closed cone: all edges, no order, whether or not anything is strictly inside.
@@ -163,7 +164,7 @@ fn line_in_plane(plane: &Portal3, portals: &[&ClosedPortal]) -> Option<ExactLine
 /// their denominators: nothing where the plane misses the portal.
 fn trace(plane: &Portal3, portal: &Portal3) -> Vec<([Int; 3], Int)> {
     let places: Vec<&[Int; 3]> = portal.vertices().iter().map(|v| &v.coordinates).collect();
-    let height = |p: &&[Int; 3]| dot3(plane.normal(), p) - plane.offset();
+    let height = |p: &&[Int; 3]| dot(plane.normal(), p) - plane.offset();
     let heights: Vec<Int> = places.iter().map(height).collect();
     let mut points = Vec::new();
     for (i, (p, h)) in places.iter().zip(&heights).enumerate() {

@@ -5,8 +5,9 @@
 
 use super::closed::{ClosedPortal, Row};
 use super::quadric::{Vector, quadric, side};
-use super::sequence::{Portal3, cross, dot3};
+use super::sequence::Portal3;
 use super::witness::{moved, primitive, zero};
+use crate::geom::vector::{cross, dot};
 use crate::num::{Int, Rational, Sign, Surd, sign_of_surd};
 use num_traits::Signed;
 
@@ -220,5 +221,5 @@ pub(super) fn meet_of_planes(a: &Portal3, b: &Portal3) -> Vector {
 /// The product of a vector's direction with a normal.
 pub(super) fn slope_of(vector: &Vector, normal: &[Int; 3]) -> Int {
     let [x, y, z] = [&vector[0], &vector[1], &vector[2]].map(Clone::clone);
-    dot3(normal, &[x, y, z])
+    dot(normal, &[x, y, z])
 }

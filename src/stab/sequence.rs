@@ -8,6 +8,7 @@
 //! given twice, zero area, vertices off the plane, a reflex corner or a second turn.
 
 use crate::geom::BigPoint3;
+use crate::geom::vector::{cross, difference, dot};
 use crate::num::{Int, Sign};
 use num_integer::Integer;
 
@@ -76,22 +77,21 @@ impl Portal3 {
             }
         }
         let edges: Vec<[Int; 3]> = (0..count)
-            .map(|i| sub(&vertices[(i + 1) % count].coordinates, &vertices[i].coordinates))
+            .map(|i| difference(&vertices[(i + 1) % count].coordinates, &vertices[i].coordinates))
             .collect();
         let normal = area_vector(vertices);
         if content(&normal) == Int::ZERO {
             return Err(PortalError::NoArea);
         }
         let (normal, _) = primitive(normal);
-        let offset = dot3(&normal, &vertices[0].coordinates);
-        if let Some(vertex) = vertices.iter().position(|v| dot3(&normal, &v.coordinates) != offset)
-        {
+        let offset = dot(&normal, &vertices[0].coordinates);
+        if let Some(vertex) = vertices.iter().position(|v| dot(&normal, &v.coordinates) != offset) {
             return Err(PortalError::NotPlanar { vertex });
         }
         for (edge, direction) in edges.iter().enumerate() {
             let inward = cross(&normal, direction);
             for (vertex, v) in vertices.iter().enumerate() {
-                let height = dot3(&inward, &sub(&v.coordinates, &vertices[edge].coordinates));
+                let height = dot(&inward, &difference(&v.coordinates, &vertices[edge].coordinates));
                 match Sign::of(&height) {
                     // On the edge's line: one of its ends, or a vertex in a straight side.
                     Sign::Zero | Sign::Positive => {}
@@ -138,7 +138,7 @@ impl Portal3 {
     /// the origin moved to `origin`.
     pub(super) fn edge_row(&self, edge: usize, origin: &[Int; 3]) -> [Int; 6] {
         let direction = &self.directions[edge];
-        let [mx, my, mz] = cross(&sub(&self.vertices[edge].coordinates, origin), direction);
+        let [mx, my, mz] = cross(&difference(&self.vertices[edge].coordinates, origin), direction);
         let [dx, dy, dz] = direction.clone();
         [mx, my, mz, dx, dy, dz]
     }
@@ -168,20 +168,8 @@ impl Portal3 {
 
     /// The plane's offset, seen from another origin.
     pub(super) fn height_of(&self, origin: &[Int; 3]) -> Int {
-        &self.offset - dot3(&self.normal, origin)
+        &self.offset - dot(&self.normal, origin)
     }
-}
-
-pub(super) fn sub(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
-    std::array::from_fn(|i| &a[i] - &b[i])
-}
-
-pub(super) fn cross(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
-    [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
-}
-
-pub(super) fn dot3(a: &[Int; 3], b: &[Int; 3]) -> Int {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
 fn content(vector: &[Int; 3]) -> Int {
@@ -198,7 +186,8 @@ fn primitive(vector: [Int; 3]) -> ([Int; 3], Int) {
 fn area_vector(vertices: &[BigPoint3]) -> [Int; 3] {
     let apex = &vertices[0].coordinates;
     vertices[1..].windows(2).fold([Int::ZERO, Int::ZERO, Int::ZERO], |sum, pair| {
-        let part = cross(&sub(&pair[0].coordinates, apex), &sub(&pair[1].coordinates, apex));
+        let part =
+            cross(&difference(&pair[0].coordinates, apex), &difference(&pair[1].coordinates, apex));
         std::array::from_fn(|i| &sum[i] + &part[i])
     })
 }

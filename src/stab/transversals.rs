@@ -30,9 +30,10 @@ mod incidence;
 pub use incidence::{ProjectivePlane, ProjectivePoint};
 
 use crate::geom::BigLine;
+use crate::geom::vector::{cross, dot};
 use crate::num::{Int, Rational, Sign, Surd};
 use elimination::null_space;
-use incidence::{cross, dot, join, meet, meet_of_planes, pencil_of};
+use incidence::{join, meet, meet_of_planes, pencil_of};
 use num_traits::{One, Zero};
 
 /// All lines that meet each of the given ones.

@@ -13,8 +13,9 @@
 //! computed for the one of the two directions that comes first lexicographically.
 
 use super::quadric::{BothSigns, Vector, extremum_of_sign, quadric, side};
-use super::sequence::{Portal3, cross, dot3, sub};
+use super::sequence::Portal3;
 use super::stabber::rows_of;
+use crate::geom::vector::{cross, difference, dot};
 use crate::num::{Int, Rational, Sign};
 use num_integer::Integer;
 use num_traits::ToPrimitive;
@@ -57,7 +58,7 @@ struct Problem {
 /// A line strictly inside the sequence. Requires: there is one.
 pub(super) fn find(interior: Interior, portals: &[&Portal3], orders: &[bool]) -> Witness {
     let mut problem = Problem::new(portals, orders);
-    let shift = sub(&interior.origin, &problem.origin);
+    let shift = difference(&interior.origin, &problem.origin);
     let carry = |vector: &Vector| primitive(moved(vector, &shift));
     let lineality = echelon(interior.lineality.iter().map(carry).collect());
     let reduced = |vector: &Vector| primitive(without(&carry(vector), &lineality));
@@ -87,7 +88,8 @@ impl Problem {
         let all = || portals.iter().flat_map(|p| p.vertices()).map(|v| &v.coordinates);
         let least = |axis: usize| all().map(|v| &v[axis]).min().cloned().unwrap_or_default();
         let origin = std::array::from_fn(least);
-        let extent = all().flat_map(|v| sub(v, &origin)).map(|c| c.bits()).max().unwrap_or(0);
+        let extent =
+            all().flat_map(|v| difference(v, &origin)).map(|c| c.bits()).max().unwrap_or(0);
         let mut rows = Vec::new();
         for (index, portal) in portals.iter().enumerate() {
             let ordered = index > 0 && orders.get(index).copied().unwrap_or(false);
@@ -95,7 +97,7 @@ impl Problem {
             rows.extend(rows_of(portal, before, &origin).into_iter().map(|(row, _)| row));
         }
         let plane = |portal: &Portal3| {
-            (portal.normal().clone(), portal.offset() - dot3(portal.normal(), &origin))
+            (portal.normal().clone(), portal.offset() - dot(portal.normal(), &origin))
         };
         let ends = [plane(portals[0]), plane(portals[portals.len() - 1])];
         Problem { rows, origin, ends, extent }
@@ -190,7 +192,7 @@ impl Problem {
         // The point of the line on n·x = c is (c d + n × m) / (n·d).
         let meet = |(normal, offset): &([Int; 3], Int)| {
             let turn = cross(normal, &m);
-            let divisor = dot3(normal, &d);
+            let divisor = dot(normal, &d);
             (std::array::from_fn(|i| offset * &d[i] + &turn[i]), divisor)
         };
         let [first, last]: [([Int; 3], Int); 2] = self.ends.each_ref().map(meet);
@@ -284,7 +286,7 @@ fn onto_quadric(near: &Vector) -> Vector {
 
 /// The line through the points a / unit and b / unit, times unit².
 fn through([a, b]: &[[Int; 3]; 2], unit: &Int) -> Vector {
-    let [dx, dy, dz] = sub(b, a).map(|c| c * unit);
+    let [dx, dy, dz] = difference(b, a).map(|c| c * unit);
     let [mx, my, mz] = cross(a, b);
     [dx, dy, dz, mx, my, mz]
 }

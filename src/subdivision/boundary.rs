@@ -7,11 +7,10 @@
 //! A face is cut by a solid's planes one after the other, what is outside of one is kept, and
 //! what is left at the end was inside; if nothing is left, the face stays whole.
 
-use super::solids::Body;
-use crate::construct::{PlaneSet, Polygon, Polyhedron, Split};
+use crate::construct::{Boxed, PlaneSet, Polygon, Polyhedron, Split};
 
 /// The polygons of the boundary of the union of `bodies`.
-pub(super) fn of_union(planes: &PlaneSet, bodies: &[Body]) -> Vec<Polygon> {
+pub(super) fn of_union(planes: &PlaneSet, bodies: &[Boxed]) -> Vec<Polygon> {
     let neighbours = neighbours(bodies);
     let mut boundary = Vec::new();
     for (own, body) in bodies.iter().enumerate() {
@@ -31,7 +30,7 @@ pub(super) fn of_union(planes: &PlaneSet, bodies: &[Body]) -> Vec<Polygon> {
 }
 
 /// For each body those whose boxes its own touches, in order.
-fn neighbours(bodies: &[Body]) -> Vec<Vec<usize>> {
+fn neighbours(bodies: &[Boxed]) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     order.sort_by(|&a, &b| bodies[a].low[0].cmp(&bodies[b].low[0]));
     let mut neighbours = vec![Vec::new(); bodies.len()];

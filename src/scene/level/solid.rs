@@ -13,6 +13,7 @@
 
 use super::{BrushFace, LevelWarningKind, NoSolid};
 use crate::formats::map::{MapBrush, MapFace};
+use crate::geom::vector::{cross, dot};
 use crate::geom::{BigPlane, BigPoint3};
 use crate::num::{Int, Rational, Sign};
 use crate::predicates::vertex_side_of_plane_big;
@@ -104,7 +105,7 @@ fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
     let mut crossing = false;
     for i in 0..planes.len() {
         for j in i + 1..planes.len() {
-            let direction = cross(planes[i], planes[j]);
+            let direction = cross(&planes[i].normal, &planes[j].normal);
             if direction.iter().all(Zero::is_zero) {
                 continue;
             }
@@ -187,11 +188,5 @@ fn interval(planes: &[&BigPlane], [i, j]: [usize; 2], direction: &[Int; 3]) -> I
 /// Whether one leaves (positive) or enters (negative) the plane's half-space along `direction`;
 /// zero: neither, the plane is parallel to it.
 fn along(direction: &[Int; 3], plane: &BigPlane) -> Sign {
-    Sign::of(&(0..3).map(|axis| &direction[axis] * &plane.normal[axis]).sum::<Int>())
-}
-
-/// The product of the normals: the direction of the line in which the planes meet.
-fn cross(p: &BigPlane, q: &BigPlane) -> [Int; 3] {
-    let minor = |i: usize, j: usize| &p.normal[i] * &q.normal[j] - &p.normal[j] * &q.normal[i];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
+    Sign::of(&dot(direction, &plane.normal))
 }

@@ -4,6 +4,7 @@
 //! point at infinity, n = 0 the plane at infinity. The formulas hold for lines at infinity too.
 
 use crate::geom::BigLine;
+use crate::geom::vector::{cross, dot};
 use crate::num::Int;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
@@ -85,12 +86,4 @@ fn normalized([x, y, z]: [Int; 3], w: Int, last_first: bool) -> Option<[Int; 4]>
     };
     let divisor = if leading.is_negative() { -divisor } else { divisor };
     Some(all.map(|c| c / &divisor))
-}
-
-pub(super) fn dot(a: &[Int; 3], b: &[Int; 3]) -> Int {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-pub(super) fn cross(a: &[Int; 3], b: &[Int; 3]) -> [Int; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
