@@ -67,32 +67,15 @@ impl Cone {
             // What is left lies in the plane: such directions graze (semantics, the verdicts).
             return false;
         }
-        let count = self.faces.len();
-        let mut faces = Vec::with_capacity(count + 1);
-        for (i, face) in self.faces.iter().enumerate() {
-            match (sides[i], sides[(i + 1) % count]) {
-                (Sign::Positive, Sign::Positive | Sign::Zero) | (Sign::Zero, Sign::Positive) => {
-                    faces.push(face.clone());
-                }
-                // The plane leaves the face's inside here.
-                (Sign::Positive, Sign::Negative) => {
-                    faces.push(face.clone());
-                    let ray = Rc::new(Direction::cross(&face.plane, plane));
-                    faces.push(Face { ray, plane: Rc::clone(plane) });
-                }
-                // The new face starts at a ray that lies in it.
-                (Sign::Zero, Sign::Negative | Sign::Zero) => {
-                    faces.push(Face { ray: Rc::clone(&face.ray), plane: Rc::clone(plane) });
-                }
-                (Sign::Negative, Sign::Positive) => {
-                    let ray = Rc::new(Direction::cross(plane, &face.plane));
-                    faces.push(Face { ray, plane: Rc::clone(&face.plane) });
-                }
-                // Its end is the next face's ray, which is kept there.
-                (Sign::Negative, Sign::Zero | Sign::Negative) => {}
-            }
-        }
-        self.faces = faces;
+        let meet = |a: &Rc<_>, b: &Rc<_>| Rc::new(Direction::cross(a, b));
+        let of_plane = |ray| Face { ray, plane: Rc::clone(plane) };
+        self.faces = clipped(
+            &self.faces,
+            &sides,
+            |face| of_plane(meet(&face.plane, plane)),
+            |face| of_plane(Rc::clone(&face.ray)),
+            |face| Face { ray: meet(plane, &face.plane), plane: Rc::clone(&face.plane) },
+        );
         true
     }
 
@@ -111,6 +94,36 @@ impl Cone {
         }
         primitive(sum)
     }
+}
+
+/// The faces of a cone that is clipped by a plane, given on which side of it each face's first ray
+/// is, with rays strictly on both: `leaving` makes the plane's own face where it leaves a face,
+/// `turning` where it begins at a face's first ray, and `entering` what it leaves of a face.
+pub(super) fn clipped<F: Clone>(
+    faces: &[F],
+    sides: &[Sign],
+    leaving: impl Fn(&F) -> F,
+    turning: impl Fn(&F) -> F,
+    entering: impl Fn(&F) -> F,
+) -> Vec<F> {
+    let mut kept = Vec::with_capacity(faces.len() + 1);
+    for (i, face) in faces.iter().enumerate() {
+        match (sides[i], sides[(i + 1) % faces.len()]) {
+            (Sign::Positive, Sign::Positive | Sign::Zero) | (Sign::Zero, Sign::Positive) => {
+                kept.push(face.clone());
+            }
+            (Sign::Positive, Sign::Negative) => {
+                kept.push(face.clone());
+                kept.push(leaving(face));
+            }
+            // The new face starts at a ray that lies in it.
+            (Sign::Zero, Sign::Negative | Sign::Zero) => kept.push(turning(face)),
+            (Sign::Negative, Sign::Positive) => kept.push(entering(face)),
+            // Its end is the next face's ray, which is kept there.
+            (Sign::Negative, Sign::Zero | Sign::Negative) => {}
+        }
+    }
+    kept
 }
 
 /// The vector divided by the greatest common divisor of its coordinates.

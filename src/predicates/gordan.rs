@@ -79,7 +79,7 @@ pub fn exclude_each_other_rational<'a>(
 fn exclude_each_other_filter(lines: &[[Point3; 2]]) -> Option<Sign> {
     let lines: &[[Point3; 2]; 7] = lines.try_into().ok()?;
     let vectors = scaled_vectors(&lines.map(|line| line.map(|point| point.floats())))?;
-    let inverse = invert(&vectors)?;
+    let inverse = invert(vectors.first_chunk()?)?;
     let mut weights = [1.0; 7];
     for (weight, row) in weights.iter_mut().zip(&inverse) {
         *weight = -(0..6).map(|j| row[j] * vectors[6][j]).sum::<f64>();
@@ -138,8 +138,9 @@ fn scaled_vectors(lines: &[[[f64; 3]; 2]; 7]) -> Option<[[f64; 6]; 7]> {
     Some(vectors)
 }
 
-/// The inverse of the matrix whose columns are the first six vectors, approximately.
-fn invert(columns: &[[f64; 6]; 7]) -> Option<[[f64; 6]; 6]> {
+/// The inverse of the matrix with these columns, approximately: its row `i` has the product 1 with
+/// column `i`, and 0 with the others.
+pub(crate) fn invert(columns: &[[f64; 6]; 6]) -> Option<[[f64; 6]; 6]> {
     let mut a: [[f64; 6]; 6] = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
     let mut inverse: [[f64; 6]; 6] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));

@@ -8,6 +8,7 @@
 //! on the negative side or in the plane. Its rays are meets of these planes, as the exact cone's
 //! are, so their errors do not add up along a sequence.
 
+use super::cone::clipped;
 use crate::num::Sign;
 use crate::predicates::{Direction, FloatVector};
 use std::rc::Rc;
@@ -37,22 +38,13 @@ impl FloatCone {
         if !sides.contains(&Sign::Positive) {
             return false;
         }
-        let count = self.faces.len();
-        let mut faces = Vec::with_capacity(count + 1);
-        for (i, &[ray, side]) in self.faces.iter().enumerate() {
-            match (sides[i], sides[(i + 1) % count]) {
-                (Sign::Positive, Sign::Positive | Sign::Zero) | (Sign::Zero, Sign::Positive) => {
-                    faces.push([ray, side]);
-                }
-                (Sign::Positive, Sign::Negative) => {
-                    faces.extend([[ray, side], [side.cross(plane), *plane]]);
-                }
-                (Sign::Zero, Sign::Negative | Sign::Zero) => faces.push([ray, *plane]),
-                (Sign::Negative, Sign::Positive) => faces.push([plane.cross(&side), side]),
-                (Sign::Negative, Sign::Zero | Sign::Negative) => {}
-            }
-        }
-        self.faces = faces;
+        self.faces = clipped(
+            &self.faces,
+            &sides,
+            |[_, side]| [side.cross(plane), *plane],
+            |[ray, _]| [*ray, *plane],
+            |[_, side]| [plane.cross(side), *side],
+        );
         true
     }
 }

@@ -1,6 +1,7 @@
 //! Six half-spaces that seem to let no line through, for `stab::six_edges_exclude_lines`.
 
-use super::norm::Half;
+use super::norm::{Half, dot};
+use crate::predicates::gordan::invert;
 
 /// A product of two unit vectors that may be zero but for rounding.
 const ROUNDING: f64 = 1e-9;
@@ -48,33 +49,11 @@ fn agreement(rows: [Half; 6]) -> Option<f64> {
     Some(least.max(-most))
 }
 
-/// The columns of the inverse, of length one (Gauss-Jordan elimination with row exchanges).
-fn dual_basis(mut rows: [Half; 6]) -> Option<[Half; 6]> {
-    let mut inverse: [Half; 6] =
-        std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
-    for step in 0..6 {
-        let pivot =
-            (step..6).max_by(|&i, &j| rows[i][step].abs().total_cmp(&rows[j][step].abs()))?;
-        rows.swap(step, pivot);
-        inverse.swap(step, pivot);
-        let scale = rows[step][step].recip();
-        if !scale.is_finite() {
-            return None;
-        }
-        rows[step] = rows[step].map(|c| c * scale);
-        inverse[step] = inverse[step].map(|c| c * scale);
-        let (pivot_row, pivot_inverse) = (rows[step], inverse[step]);
-        for i in (0..6).filter(|&i| i != step) {
-            let factor = rows[i][step];
-            for j in 0..6 {
-                rows[i][j] -= factor * pivot_row[j];
-                inverse[i][j] -= factor * pivot_inverse[j];
-            }
-        }
-    }
-    Some(std::array::from_fn(|j| {
-        let column: Half = std::array::from_fn(|i| inverse[i][j]);
-        let length = column.iter().map(|c| c * c).sum::<f64>().sqrt();
-        column.map(|c| c / length)
+/// The vectors of length one that five of the six vanish on.
+fn dual_basis(rows: [Half; 6]) -> Option<[Half; 6]> {
+    let rays = invert(&rows)?;
+    Some(rays.map(|ray| {
+        let length = dot(&ray, &ray).sqrt();
+        ray.map(|c| c / length)
     }))
 }
