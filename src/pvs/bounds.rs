@@ -14,7 +14,7 @@
 
 use super::arena::{Arena, Directed, reverse};
 use super::bits::{Bits, SharedBits};
-use super::propose::{ClearFront, PlaneHints};
+use super::propose::PlaneHints;
 use super::separators::separators;
 use crate::report::Progress;
 use rayon::prelude::*;
@@ -40,15 +40,23 @@ impl Bounds {
                 .collect()
         };
         let fronts = rows(&|portal| front(arena, portal))?;
-        let mut bounds = Bounds { after: rows(&|portal| flood_planes(arena, &fronts, portal))? };
-        bounds.make_symmetric();
+        let mut bounds = Bounds::symmetric(rows(&|portal| flood_planes(arena, &fronts, portal))?);
         progress.advance(1);
         for _ in 0..PASSES {
-            bounds = Bounds { after: rows(&|portal| bounds.narrowed(arena, portal))? };
-            bounds.make_symmetric();
+            bounds = Bounds::symmetric(rows(&|portal| bounds.narrowed(arena, portal))?);
             progress.advance(1);
         }
         Some(bounds)
+    }
+
+    /// The bounds that hold in both directions: a sequence reversed belongs to the line reversed.
+    pub fn symmetric(after: Vec<Bits>) -> Bounds {
+        let rows = (0..after.len() as u32).into_par_iter().map(|portal| {
+            let mut row = after[portal as usize].clone();
+            row.retain(|other| after[reverse(other) as usize].has(reverse(portal)));
+            row
+        });
+        Bounds { after: rows.collect() }
     }
 
     /// The directed portals that might be crossed after `portal`.
@@ -56,20 +64,17 @@ impl Bounds {
         &self.after[portal as usize]
     }
 
-    fn make_symmetric(&mut self) {
-        let rows: Vec<Bits> = (0..self.after.len() as u32)
-            .into_par_iter()
-            .map(|portal| {
-                let mut row = self.after(portal).clone();
-                for other in self.after(portal).iter() {
-                    if !self.after(reverse(other)).has(reverse(portal)) {
-                        row.remove(other);
-                    }
-                }
-                row
-            })
-            .collect();
-        self.after = rows;
+    /// The cells that a sequence might enter from `source`.
+    pub fn cells_from(&self, arena: &Arena, source: u32) -> Bits {
+        let mut cells = arena.no_cells();
+        for &first in arena.leaving(source) {
+            cells.insert(arena.to(first));
+            for next in self.after(first).iter() {
+                cells.insert(arena.to(next));
+            }
+        }
+        cells.remove(source);
+        cells
     }
 
     fn narrowed(&self, arena: &Arena, portal: Directed) -> Bits {
@@ -99,15 +104,12 @@ impl Bounds {
     }
 }
 
-/// The (undirected) portals that reach in front of the plane of `portal`: those whose centre is
-/// clearly there, and those that are found to have a vertex there.
+/// The (undirected) portals that reach in front of the plane of `portal`.
 fn front(arena: &Arena, portal: Directed) -> Bits {
     let plane = arena.plane_of(portal);
-    let clearly = ClearFront::new(plane.filter(), arena.bound());
     let mut front = Bits::new(arena.directed() as usize / 2);
     for other in 0..arena.directed() / 2 {
-        let is_clear = clearly.has(arena.outline(2 * other).center);
-        if is_clear || !arena.wholly_behind(plane, 2 * other) {
+        if !arena.wholly_behind(plane, 2 * other) {
             front.insert(other);
         }
     }

@@ -67,7 +67,7 @@ impl<'a> Decider<'a> {
             ray: ray.cloned(),
         };
         let mut possible =
-            !path.windows(2).next_back().is_some_and(|pair| arena.is_impossible(pair[0], pair[1]));
+            !matches!(path, [.., before, last] if arena.is_impossible(*before, *last));
         if possible && known.ray.is_none() && !known.point.passes(arena, last) {
             self.cone.set(arena, path);
             if let Err(edges) = self.cone.find_point(&mut known.point)

@@ -24,10 +24,12 @@
 mod bounds;
 mod touching;
 
-use self::bounds::{ClosedBounds, Flood};
+use self::bounds::ClosedBounds;
 use self::touching::{GridLine, Touching};
 use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
+use super::bounds::Flood;
+use super::sources::{Source, share_out};
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::PortalGraph;
 use rayon::prelude::*;
@@ -69,37 +71,15 @@ pub fn classify_grazing(
     true
 }
 
-/// A source cell and the cells that it has to settle.
-struct Source {
-    cell: u32,
-    wanted: Bits,
-}
-
-impl Source {
-    fn work(&self) -> u64 {
-        u64::from(self.wanted.count())
-    }
-}
-
 /// The pairs that are not open and not blocked by the bound, each with the cell that has fewer of
 /// them as its source.
 fn plan(arena: &Arena, bounds: &ClosedBounds, known: &Matrix) -> Vec<Source> {
-    let mut sources: Vec<Source> = (0..arena.cells())
-        .into_par_iter()
-        .map(|cell| {
-            let mut wanted = bounds.cells_from(arena, cell);
-            let row = known.row(cell as usize);
-            wanted.retain(|target| row[target as usize] == Verdict::NotOpen);
-            Source { cell, wanted }
-        })
-        .collect();
-    sources.sort_by_cached_key(|source| (source.wanted.count(), source.cell));
-    let mut earlier = arena.no_cells();
-    for source in &mut sources {
-        // The bound is symmetric, so a pair is wanted by both of its cells or by none.
-        source.wanted.subtract(&earlier);
-        earlier.insert(source.cell);
-    }
+    let mut sources = share_out(arena, |cell| {
+        let mut wanted = bounds.cells_from(arena, cell);
+        let row = known.row(cell as usize);
+        wanted.retain(|target| row[target as usize] == Verdict::NotOpen);
+        wanted
+    });
     sources.retain(|source| !source.wanted.is_empty());
     sources
 }
@@ -235,8 +215,9 @@ impl<'a> Walk<'a> {
             bounds.separators(arena, before, next, &mut self.planes);
         }
         let planes = &self.planes;
-        self.flood.run(arena, next, &might, &self.crossed, |portal| {
-            bounds.is_behind(arena, planes, next, portal)
+        let crossed = &self.crossed;
+        self.flood.run(arena, next, &might, |portal| {
+            crossed.has(arena.to(portal)) || bounds.is_behind(arena, planes, next, portal)
         });
         self.aim(might)
     }

@@ -29,6 +29,7 @@ mod run;
 mod search;
 mod separators;
 mod sightline;
+mod sources;
 mod tree;
 
 pub use grazing::classify_grazing;

@@ -1,14 +1,13 @@
 //! All rows of a graph, or a part of them, on any number of threads.
 
 use super::arena::Arena;
-use super::bits::Bits;
 use super::bounds::{self, Bounds, SharedBounds};
 use super::obstacle::{self, Obstacle};
 use super::search::{DeadEnds, Limits, Search};
+use super::sources::{Source, share_out};
 use super::{OpenPair, Row, Tally};
 use crate::report::Progress;
 use crate::scene::{CellId, PortalGraph};
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 
 /// What to compute, and within which limits.
@@ -72,9 +71,9 @@ pub fn explain(
     let arena = Arena::new(graph);
     progress.begin("upper bound", bounds::STAGES);
     let bounds = Bounds::new(&arena, progress)?;
-    let plan = Plan::new(&arena, &bounds);
+    let sources = share_out(&arena, |cell| bounds.cells_from(&arena, cell));
     // The same source as in the whole computation, so the same sightline.
-    let source = plan.sources.iter().find(|source| {
+    let source = sources.iter().find(|source| {
         let has = |a: CellId, b: CellId| source.cell == a.0 && source.wanted.has(b.0);
         has(from, to) || has(to, from)
     });
@@ -138,9 +137,9 @@ pub fn compute(
     let Some(bounds) = Bounds::new(&arena, progress) else {
         return Finished { rows: done, ..Finished::default() };
     };
-    let plan = Plan::new(&arena, &bounds);
+    let sources = share_out(&arena, |cell| bounds.cells_from(&arena, cell));
     let cells = u64::from(arena.cells());
-    let candidates: u64 = plan.sources.iter().map(|source| u64::from(source.wanted.count())).sum();
+    let candidates: u64 = sources.iter().map(Source::work).sum();
     let mut finished = Finished {
         settled_by_bound: cells * cells.saturating_sub(1) / 2 - candidates,
         rows: done,
@@ -151,8 +150,7 @@ pub fn compute(
         is_done.insert(row.source.0);
     });
     let Shard { index, count } = options.shard;
-    let todo: Vec<&Source> = plan
-        .sources
+    let todo: Vec<&Source> = sources
         .iter()
         .skip(index as usize)
         .step_by(count as usize)
@@ -164,45 +162,6 @@ pub fn compute(
     finished.rows.sort_unstable_by_key(|row| row.source);
     finished.rows.iter().for_each(|row| finished.tally.add(&row.tally));
     finished
-}
-
-/// A source cell and the cells whose visibility from it its row has to settle.
-struct Source {
-    cell: u32,
-    wanted: Bits,
-}
-
-/// Which cell is the source of which pairs.
-struct Plan {
-    /// In the order of work: ascending size of the bound.
-    sources: Vec<Source>,
-}
-
-impl Plan {
-    fn new(arena: &Arena, bounds: &Bounds) -> Plan {
-        let mut sources: Vec<Source> = (0..arena.cells())
-            .into_par_iter()
-            .map(|cell| {
-                let mut wanted = arena.no_cells();
-                for &first in arena.leaving(cell) {
-                    wanted.insert(arena.to(first));
-                    for next in bounds.after(first).iter() {
-                        wanted.insert(arena.to(next));
-                    }
-                }
-                wanted.remove(cell);
-                Source { cell, wanted }
-            })
-            .collect();
-        sources.sort_by_cached_key(|source| (source.wanted.count(), source.cell));
-        let mut earlier = arena.no_cells();
-        for source in &mut sources {
-            // The bound is symmetric, so a pair is wanted by both of its cells or by none.
-            source.wanted.subtract(&earlier);
-            earlier.insert(source.cell);
-        }
-        Plan { sources }
-    }
 }
 
 fn search(
@@ -223,8 +182,7 @@ fn search(
         stop
     };
     let limits = Limits { budget: options.budget, is_interrupted: &is_interrupted };
-    let work = |source: &Source| u64::from(source.wanted.count());
-    progress.begin("cells", todo.iter().map(|source| work(source)).sum());
+    progress.begin("cells", todo.iter().map(|source| source.work()).sum());
     let next = AtomicUsize::new(0);
     // Each thread keeps one search, and what it has learnt, from source to source.
     let of_threads = rayon::broadcast(|_| {
@@ -239,7 +197,7 @@ fn search(
                 }
             }
             keep(&row);
-            progress.advance(work(source));
+            progress.advance(source.work());
             rows.push(row);
         }
         rows

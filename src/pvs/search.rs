@@ -23,8 +23,8 @@
 //! Threads may therefore share what shrinks the bounds. Only the count of visited sequences
 //! depends on it, so a budget on that count does without sharing (`run`).
 //!
-//! Cost: per visited sequence of length k, O(k) separating planes times the might-set; the number
-//! of sequences has no useful bound (it is exponential in the worst case).
+//! Cost: per visited sequence, the separating planes of two pairs of portals times the might-set;
+//! the number of sequences has no useful bound (it is exponential in the worst case).
 
 use super::arena::{Arena, Directed, reverse};
 use super::bits::Bits;

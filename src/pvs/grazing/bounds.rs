@@ -18,6 +18,7 @@
 
 use super::super::arena::{Arena, Directed, Plane, reverse};
 use super::super::bits::Bits;
+use super::super::bounds::{Bounds, Flood};
 use super::super::separators::separators;
 use crate::num::Sign;
 use crate::report::Progress;
@@ -34,7 +35,7 @@ pub(super) struct ClosedBounds {
     /// The portals that it meets later, or at once.
     ordered: Vec<Bits>,
     /// The portals that a sequence may cross later.
-    after: Vec<Bits>,
+    after: Bounds,
 }
 
 /// The (undirected) portals with a vertex in front of a portal's plane or on it, and those with
@@ -72,35 +73,25 @@ impl ClosedBounds {
             let mut flood = Flood::new(arena);
             let mut candidates = together[p as usize].clone();
             candidates.remove(reverse(p));
-            flood.run(arena, p, &candidates, &arena.no_cells(), |_| false);
+            flood.run(arena, p, &candidates, |_| false);
             flood.reached
         })?;
-        let mut bounds = ClosedBounds { ordered, after };
-        bounds.make_symmetric();
+        let mut bounds = ClosedBounds { ordered, after: Bounds::symmetric(after) };
         for _ in 0..PASSES {
-            bounds.after = rows(&|p| bounds.narrowed(arena, p))?;
-            bounds.make_symmetric();
+            bounds.after = Bounds::symmetric(rows(&|p| bounds.narrowed(arena, p))?);
             progress.advance(1);
         }
         Some(bounds)
     }
 
-    /// The portals that might be crossed after `portal`.
+    /// The portals that might be touched after `portal`.
     pub(super) fn after(&self, portal: Directed) -> &Bits {
-        &self.after[portal as usize]
+        self.after.after(portal)
     }
 
     /// The cells that a sequence which a line touches might enter from `source`.
     pub(super) fn cells_from(&self, arena: &Arena, source: u32) -> Bits {
-        let mut cells = arena.no_cells();
-        for &first in arena.leaving(source) {
-            cells.insert(arena.to(first));
-            for next in self.after(first).iter() {
-                cells.insert(arena.to(next));
-            }
-        }
-        cells.remove(source);
-        cells
+        self.after.cells_from(arena, source)
     }
 
     /// The planes that separate `first` from `second`, if a touching line climbs over them.
@@ -134,17 +125,6 @@ impl ClosedBounds {
         self.ordered[last as usize].has(portal) && planes.iter().any(strictly_behind)
     }
 
-    /// A sequence reversed is touched by the line reversed.
-    fn make_symmetric(&mut self) {
-        let portals = (0..self.after.len() as u32).into_par_iter();
-        let rows = portals.map(|portal| {
-            let mut row = self.after(portal).clone();
-            row.retain(|other| self.after(reverse(other)).has(reverse(portal)));
-            row
-        });
-        self.after = rows.collect();
-    }
-
     fn narrowed(&self, arena: &Arena, portal: Directed) -> Bits {
         let mut all = arena.no_portals();
         let mut candidates = arena.no_portals();
@@ -160,8 +140,8 @@ impl ClosedBounds {
             candidates.assign_intersection(self.after(portal), self.after(next));
             planes.clear();
             self.separators(arena, portal, next, &mut planes);
-            flood.run(arena, next, &candidates, &crossed, |other| {
-                self.is_behind(arena, &planes, next, other)
+            flood.run(arena, next, &candidates, |other| {
+                crossed.has(arena.to(other)) || self.is_behind(arena, &planes, next, other)
             });
             all.unite(&flood.reached);
             all.insert(next);
@@ -192,46 +172,4 @@ fn sides(arena: &Arena, portal: Directed) -> Sides {
         }
     }
     Sides { front, back }
-}
-
-/// A flood through cells not crossed yet, with its buffers.
-pub(super) struct Flood {
-    /// The portals crossed.
-    pub reached: Bits,
-    /// The cells entered.
-    pub entered: Bits,
-    stack: Vec<u32>,
-}
-
-impl Flood {
-    pub(super) fn new(arena: &Arena) -> Flood {
-        Flood { reached: arena.no_portals(), entered: arena.no_cells(), stack: Vec::new() }
-    }
-
-    /// Crosses, from the cell that `first` enters on, every candidate that enters no cell
-    /// `crossed` already and is not `behind`.
-    pub(super) fn run(
-        &mut self,
-        arena: &Arena,
-        first: Directed,
-        candidates: &Bits,
-        crossed: &Bits,
-        is_behind: impl Fn(Directed) -> bool,
-    ) {
-        self.reached.clear();
-        self.entered.clear();
-        self.entered.insert(arena.to(first));
-        self.stack.push(arena.to(first));
-        while let Some(cell) = self.stack.pop() {
-            for &next in arena.leaving(cell) {
-                let to = arena.to(next);
-                if candidates.has(next) && !crossed.has(to) && !is_behind(next) {
-                    self.reached.insert(next);
-                    if self.entered.insert(to) {
-                        self.stack.push(to);
-                    }
-                }
-            }
-        }
-    }
 }

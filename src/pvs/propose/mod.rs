@@ -12,4 +12,4 @@ mod six;
 
 pub(crate) use cone::{ConePoint, Proposal, RoughLines, SequenceCone};
 pub(crate) use line::FrameLine;
-pub(crate) use outline::{ClearFront, Outline, PlaneHints, supporting_vertex};
+pub(crate) use outline::{Outline, PlaneHints, supporting_vertex};

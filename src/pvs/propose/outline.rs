@@ -1,7 +1,7 @@
 //! Where portals are, roughly: centres and radii, and which planes might have one behind them.
 
 use crate::num::Sign;
-use crate::predicates::filtered::{Approx3, Bound, FilteredPlane};
+use crate::predicates::filtered::{Approx3, FilteredPlane};
 use glam::DVec3;
 
 /// A portal's centre (the mean of its vertices) and the distance of the farthest vertex from it.
@@ -67,27 +67,6 @@ impl PlaneHints {
             start += LANES;
         }
         (start..count).any(|i| height(i) <= 0.0 && confirm(i))
-    }
-}
-
-/// Where points are in front of a plane whatever rounding does.
-pub(crate) struct ClearFront {
-    normal: DVec3,
-    offset: f64,
-}
-
-/// A share of the scene's size that no rounding of a float comes near.
-const CLEARLY: f64 = 1e-9;
-
-impl ClearFront {
-    pub fn new(plane: &FilteredPlane, bound: Bound) -> ClearFront {
-        let normal = DVec3::from(plane.normal());
-        ClearFront { normal, offset: plane.offset() + CLEARLY * normal.length() * bound.largest() }
-    }
-
-    /// Whether the point is clearly in front. If it is a portal's centre, so is a vertex of it.
-    pub fn has(&self, point: DVec3) -> bool {
-        self.normal.dot(point) > self.offset
     }
 }
 
