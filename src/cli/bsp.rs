@@ -2,13 +2,13 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::level;
 use crate::formats::prt::{self, PrtPortal, PrtWriteError};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Number, Rational};
-use crate::portal::{LevelCells, LevelError};
-use crate::scene::PortalGraph;
+use crate::portal::{LevelCells, LevelError, cells_of_level};
 use crate::scene::level::{Level, LevelOptions, Role};
+use crate::scene::{self, PortalGraph};
+use crate::subdivision::Options;
 use num_traits::{Signed, ToPrimitive};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -48,17 +48,17 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         keep_digits: args.keep_digits,
         ..LevelOptions::default()
     };
-    let level = level::read(&input, options)?;
+    let level = scene::read_level(&input.name, &input.bytes, options)?;
     for warning in &level.warnings {
         eprintln!("{}: {warning}", input.name);
     }
-    let cells = match level::divide(&level) {
+    let cells = match cells_of_level(&level, &Options::default()) {
         Ok(cells) => cells,
         Err(error) => {
             if let (LevelError::Leak { leak, .. }, Some(path)) = (&error, &args.pts) {
                 files::write(Some(path), |out| write_points(&leak.path, out))?;
             }
-            return Err(level::failure(&input, &error));
+            return Err(Failure::file(&input.name, error));
         }
     };
     let mut displacement = None;
@@ -101,10 +101,7 @@ fn portals(graph: &PortalGraph, snap: Option<u32>) -> (Vec<PrtPortal>, Rational)
     let mut kept = |coordinate: Number| match snap {
         None => coordinate,
         Some(decimals) => {
-            let unit = Int::from(10).pow(decimals);
-            let exact = coordinate.to_rational();
-            let snapped = Rational::new((&exact * &unit).round().to_integer(), unit);
-            let moved = (&exact - &snapped).abs();
+            let (snapped, moved) = coordinate.rounded(&Int::from(10).pow(decimals));
             if moved > largest {
                 largest = moved;
             }

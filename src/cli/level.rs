@@ -2,41 +2,21 @@
 
 use super::exit::Failure;
 use super::files::Input;
-use crate::portal::{LevelCells, LevelError, cells_of_level};
-use crate::scene::{self, Level, LevelOptions, PortalGraph};
+use crate::portal::cells_of_level;
+use crate::scene::{self, LevelOptions, PortalGraph};
 use crate::subdivision::Options;
 
-/// Whether the input is a level's source: its name ends in `.map`.
-pub(super) fn is_level(input: &Input) -> bool {
-    input.name.to_ascii_lowercase().ends_with(".map")
-}
-
-/// The portal graph of any input: that of a portal file or a JSON scene, or that of the cells of a
-/// level's inside.
+/// The portal graph of any input: that of a portal file or a JSON scene, or that of the cells of
+/// the inside of a level's source, whose name ends in `.map`.
 pub(super) fn read_graph(input: &Input) -> Result<PortalGraph, Failure> {
-    if !is_level(input) {
+    if !input.name.to_ascii_lowercase().ends_with(".map") {
         return Ok(scene::read_graph(&input.name, &input.bytes)?);
     }
-    let level = read(input, LevelOptions::default())?;
+    let level = scene::read_level(&input.name, &input.bytes, LevelOptions::default())?;
     if !level.warnings.is_empty() {
         let count = level.warnings.len();
         eprintln!("{}: {count} oddities repaired (`stabline bsp` lists them)", input.name);
     }
-    let cells = divide(&level).map_err(|error| failure(input, &error))?;
-    Ok(cells.graph)
-}
-
-/// A level's source.
-pub(super) fn read(input: &Input, options: LevelOptions) -> Result<Level, Failure> {
-    Ok(scene::read_level(&input.name, &input.bytes, options)?)
-}
-
-/// The cells of a level's inside.
-pub(super) fn divide(level: &Level) -> Result<LevelCells, LevelError> {
-    cells_of_level(level, &Options::default())
-}
-
-/// The error of a level, with its file.
-pub(super) fn failure(input: &Input, error: &LevelError) -> Failure {
-    Failure::file(&input.name, error)
+    let cells = cells_of_level(&level, &Options::default());
+    Ok(cells.map_err(|error| Failure::file(&input.name, error))?.graph)
 }

@@ -5,7 +5,7 @@
 
 use super::{DecimalError, Int, Rational, parse_decimal};
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 /// A rational number in lowest terms, in one of two sizes.
 ///
@@ -50,6 +50,14 @@ impl Number {
             (Ok(numerator), Ok(denominator)) => Number::Small(numerator, denominator),
             _ => Number::Big(Box::new(Rational::new_raw(numerator.into(), denominator.into()))),
         }
+    }
+
+    /// The multiple of 1 / `per_unit` next to it, halves away from zero, and how far it is off.
+    pub fn rounded(&self, per_unit: &Int) -> (Rational, Rational) {
+        let exact = self.to_rational();
+        let near = Rational::new((&exact * per_unit).round().to_integer(), per_unit.clone());
+        let off = (exact - &near).abs();
+        (near, off)
     }
 
     /// The same number, unbounded.
@@ -145,6 +153,15 @@ fn parse_short(text: &[u8]) -> Option<Number> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounding_tells_how_far_it_moves() {
+        let ratio = |p: i64, q: i64| Rational::new(p.into(), q.into());
+        let rounded = |text: &str| Number::parse(text).unwrap().rounded(&Int::from(100));
+        assert_eq!(rounded("-281.59999"), (ratio(-2816, 10), ratio(1, 100_000)));
+        assert_eq!(rounded("0.125"), (ratio(13, 100), ratio(5, 1000)));
+        assert_eq!(rounded("7"), (ratio(7, 1), ratio(0, 1)));
+    }
 
     #[test]
     fn ratios_are_in_lowest_terms() {

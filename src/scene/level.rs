@@ -22,6 +22,7 @@ use crate::geom::{BigPlane, RationalPoint3};
 use crate::num::{Int, Number, Rational, parse_decimal};
 use num_integer::Integer;
 use num_traits::One;
+use std::borrow::Cow;
 
 pub use warning::{LevelWarning, LevelWarningKind, NoSolid};
 
@@ -106,13 +107,9 @@ impl Level {
     /// The level that a `.map` states.
     pub fn from_map(file: &MapFile, options: LevelOptions) -> Level {
         let mut level = Level { brushes: Vec::new(), entities: Vec::new(), warnings: Vec::new() };
-        let rounded;
         let file = match options.keep_digits {
-            true => file,
-            false => {
-                rounded = level.rounded(file);
-                &rounded
-            }
+            true => Cow::Borrowed(file),
+            false => level.rounded(file),
         };
         for (index, entity) in file.entities.iter().enumerate() {
             level.add_entity(index, entity, options);
@@ -126,26 +123,23 @@ impl Level {
     }
 
     /// The file without digits beyond the sixth decimal, with a warning if there were any.
-    fn rounded(&mut self, file: &MapFile) -> MapFile {
+    fn rounded<'f>(&mut self, file: &'f MapFile) -> Cow<'f, MapFile> {
+        let faces = file.entities.iter().flat_map(|e| &e.brushes).flat_map(|b| &b.faces);
+        if faces.flat_map(|face| face.points.as_flattened()).all(is_short) {
+            return Cow::Borrowed(file);
+        }
         let mut file = file.clone();
         let mut first = None;
         let (mut count, mut largest) = (0, Rational::from(Int::ZERO));
-        let unit = Int::from(1_000_000);
         for (index, entity) in file.entities.iter_mut().enumerate() {
             for face in entity.brushes.iter_mut().flat_map(|brush| &mut brush.faces) {
-                for coordinate in face.points.as_flattened_mut() {
-                    let exact = coordinate.to_rational();
-                    let scaled = &exact * &unit;
-                    if scaled.is_integer() {
-                        continue;
-                    }
-                    let near = Rational::new(scaled.round().to_integer(), unit.clone());
-                    let moved = exact - &near;
-                    largest =
-                        largest.max(if moved < Rational::from(Int::ZERO) { -moved } else { moved });
+                let long = face.points.as_flattened_mut().iter_mut().filter(|c| !is_short(c));
+                for coordinate in long {
+                    let (near, moved) = coordinate.rounded(&Int::from(PER_UNIT));
+                    *coordinate = Number::from(near);
+                    largest = largest.max(moved);
                     count += 1;
                     first.get_or_insert((index, face.line));
-                    *coordinate = Number::from(near);
                 }
             }
         }
@@ -154,7 +148,7 @@ impl Level {
             let kind = LevelWarningKind::Rounded { count, largest };
             self.warnings.push(LevelWarning { line, entity, class, brush: None, kind });
         }
-        file
+        Cow::Owned(file)
     }
 
     fn add_entity(&mut self, index: usize, entity: &MapEntity, options: LevelOptions) {
@@ -197,6 +191,17 @@ impl Level {
         }
         let is_point = entity.brushes.is_empty() && entity.patches.is_empty();
         self.entities.push(Entity { class, origin, is_point, line: entity.line });
+    }
+}
+
+/// Six decimals.
+const PER_UNIT: i64 = 1_000_000;
+
+/// Whether six decimals hold the number exactly.
+fn is_short(number: &Number) -> bool {
+    match number {
+        Number::Small(_, denominator) => PER_UNIT % denominator == 0,
+        Number::Big(ratio) => Int::from(PER_UNIT).is_multiple_of(ratio.denom()),
     }
 }
 
