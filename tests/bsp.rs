@@ -37,7 +37,7 @@ fn a_level_without_its_ceiling_leaks() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("open.map"), open).unwrap();
     let run = stabline(folder.path(), &["bsp", "open.map", "--pts", "way.pts", "--prt", "x.prt"]);
-    assert_fails(&run, 3, "a leak: from the entity `info_player_start`");
+    assert_fails(&run, 3, "`info_player_start`: a leak: from here a way of");
     let way = fs::read_to_string(folder.path().join("way.pts")).unwrap();
     assert!(way.starts_with("64.000 64.000 32.000\n") && way.lines().count() > 1, "{way}");
     assert!(!folder.path().join("x.prt").exists());

@@ -100,7 +100,7 @@ fn every_public_map_is_read() {
             ROLES.map(|role| (role, count(role))),
             level.brushes.iter().map(|brush| brush.faces.len()).sum::<usize>(),
             level.entities.len(),
-            level.inside_points().count(),
+            stabline::scene::World::of_level(&level).marks().len(),
             level.warnings.len(),
         );
         for warning in &level.warnings {

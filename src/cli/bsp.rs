@@ -5,9 +5,9 @@ use super::files::{self, Input};
 use crate::formats::prt::{self, PrtPortal, PrtWriteError};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Number, Rational};
-use crate::portal::{LevelCells, LevelError, cells_of_level};
+use crate::portal::{WorldCells, WorldError, cells_of_world};
 use crate::scene::level::{Level, LevelOptions, Role};
-use crate::scene::{self, PortalGraph};
+use crate::scene::{self, PortalGraph, World};
 use crate::subdivision::Options;
 use num_traits::{Signed, ToPrimitive};
 use std::io::{self, Write};
@@ -52,10 +52,11 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     for warning in &level.warnings {
         eprintln!("{}: {warning}", input.name);
     }
-    let cells = match cells_of_level(&level, &Options::default()) {
+    let world = World::of_level(&level);
+    let cells = match cells_of_world(&world, &Options::default()) {
         Ok(cells) => cells,
         Err(error) => {
-            if let (LevelError::Leak { leak, .. }, Some(path)) = (&error, &args.pts) {
+            if let (WorldError::Leak { leak, .. }, Some(path)) = (&error, &args.pts) {
                 files::write(Some(path), |out| write_points(&leak.path, out))?;
             }
             return Err(Failure::file(&input.name, error));
@@ -74,8 +75,8 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         displacement = args.snap.map(|_| largest);
     }
     let text = match args.json {
-        true => format!("{:#}\n", as_json(&input, &level, &cells, displacement.as_ref())),
-        false => as_text(&input, &level, &cells, displacement.as_ref()),
+        true => format!("{:#}\n", as_json(&input, &level, &world, &cells, displacement.as_ref())),
+        false => as_text(&input, &level, &world, &cells, displacement.as_ref()),
     };
     files::print(&text)?;
     Ok(Exit::Done)
@@ -131,7 +132,8 @@ fn count(level: &Level, role: Role) -> usize {
 fn as_text(
     input: &Input,
     level: &Level,
-    cells: &LevelCells,
+    world: &World,
+    cells: &WorldCells,
     displacement: Option<&Rational>,
 ) -> String {
     let leaves = &cells.subdivision.leaves;
@@ -149,9 +151,8 @@ fn as_text(
         cells.graph.cells.len(),
         cells.graph.portals.len(),
     );
-    for &entity in &cells.buried {
-        let entity = &level.entities[entity];
-        text.push_str(&format!("line {}: `{}` is inside a solid\n", entity.line, entity.class));
+    for &mark in &cells.buried {
+        text.push_str(&format!("{} is inside a solid\n", world.marks()[mark].place));
     }
     if let Some(moved) = displacement {
         text.push_str(&format!("coordinates moved by {moved} at most\n"));
@@ -162,7 +163,8 @@ fn as_text(
 fn as_json(
     input: &Input,
     level: &Level,
-    cells: &LevelCells,
+    world: &World,
+    cells: &WorldCells,
     displacement: Option<&Rational>,
 ) -> serde_json::Value {
     let leaves = &cells.subdivision.leaves;
@@ -177,7 +179,7 @@ fn as_json(
         "solid_leaves": leaves.iter().filter(|leaf| leaf.solid).count(),
         "cells": cells.graph.cells.len(),
         "portals": cells.graph.portals.len(),
-        "buried_entities": cells.buried.iter().map(|&e| level.entities[e].line).collect::<Vec<_>>(),
+        "buried_entities": cells.buried.iter().map(|&mark| world.marks()[mark].place.line).collect::<Vec<_>>(),
         "displacement": displacement.map(ToString::to_string),
     })
 }

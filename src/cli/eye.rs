@@ -2,7 +2,7 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::level;
+use super::world;
 use crate::eye::{Cull, EyeGraph, Frustum, Lens, LocateError, Query, half_tangent};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, parse_decimal};
@@ -74,7 +74,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         return Err(Failure::usage("--regions needs the exact cull"));
     }
     let input = Input::read(&args.input)?;
-    let graph = level::read_graph(&input)?;
+    let graph = world::read_graph(&input)?;
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
     let frustum = lens.as_ref().map(|lens| &lens.frustum);
     let query = Query { eye: &eye, frustum, cell, regions: args.regions };

@@ -12,13 +12,13 @@ mod export;
 mod eye;
 mod files;
 mod interrupt;
-mod level;
 mod progress;
 mod pvs;
 mod schema;
 mod stab;
 mod transversals;
 mod why;
+mod world;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::{Exit, Failure};

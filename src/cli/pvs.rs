@@ -6,8 +6,8 @@ mod tree;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::level;
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
+use super::world;
 use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
 use crate::report::{InputId, PvsReport};
 use crate::scene::{CellId, PortalGraph};
@@ -102,7 +102,7 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
     let input = Input::read(&args.input)?;
-    let graph = level::read_graph(&input)?;
+    let graph = world::read_graph(&input)?;
     let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;

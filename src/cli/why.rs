@@ -2,8 +2,8 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::level;
 use super::progress::{ProgressArgs, Watch};
+use super::world;
 use crate::num::Number;
 use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, Hindrance, Obstacle, OpenPair};
 use crate::scene::{CellId, PortalGraph};
@@ -29,7 +29,7 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let graph = level::read_graph(&input)?;
+    let graph = world::read_graph(&input)?;
     let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));
     let (from, to) = (from?, to?);
     let watch = Watch::new(args.progress.reporter(), None);

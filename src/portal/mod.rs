@@ -8,11 +8,11 @@
 mod cells;
 mod enumerate;
 mod flood;
-mod level;
 #[cfg(test)]
 mod tests;
+mod world;
 
 pub use cells::{CellPortal, Cells};
 pub use enumerate::{Portal, enumerate};
 pub use flood::{Flood, Leak, flood};
-pub use level::{LevelCells, LevelError, cells_of_level};
+pub use world::{WorldCells, WorldError, cells_of_world};

@@ -85,6 +85,8 @@ pub struct Entity {
     pub origin: Option<RationalPoint3>,
     /// Whether it is only a place: the file gives it no brush.
     pub is_point: bool,
+    /// Whether its brushes are what the world is built of.
+    pub is_structure: bool,
     /// Its line in the file, counted from 1.
     pub line: usize,
 }
@@ -115,11 +117,6 @@ impl Level {
             level.add_entity(index, entity, options);
         }
         level
-    }
-
-    /// The places that mark the inside of a solid world: the origins of entities without brushes.
-    pub fn inside_points(&self) -> impl Iterator<Item = &RationalPoint3> {
-        self.entities.iter().filter(|entity| entity.is_point).filter_map(|e| e.origin.as_ref())
     }
 
     /// The file without digits beyond the sixth decimal, with a warning if there were any.
@@ -190,7 +187,8 @@ impl Level {
             }
         }
         let is_point = entity.brushes.is_empty() && entity.patches.is_empty();
-        self.entities.push(Entity { class, origin, is_point, line: entity.line });
+        let is_structure = part == conventions::Part::Structure;
+        self.entities.push(Entity { class, origin, is_point, is_structure, line: entity.line });
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
 //! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
-//! of its own. [`read_level`] makes the solids of a [`Level`] of a level's source.
+//! of its own. [`read_level`] makes the solids of a [`Level`] of a level's source; a [`World`] is
+//! what any such input puts into space.
 
 mod build;
 mod graph;
@@ -12,9 +13,11 @@ mod order;
 mod polygon;
 #[cfg(test)]
 mod tests;
+pub mod world;
 
 pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
 pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs, SmallGrid};
 pub use input::{InputError, InputErrorKind, read_graph};
 pub use level::{Level, LevelOptions, read_level};
 pub use order::CellOrder;
+pub use world::World;

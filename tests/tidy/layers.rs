@@ -11,7 +11,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("formats", &["num", "geom"]),
     ("construct", &["num", "geom", "predicates"]),
     ("stab", &["num", "geom", "predicates"]),
-    ("scene", &["num", "geom", "predicates", "stab", "formats"]),
+    ("scene", &["num", "geom", "predicates", "construct", "stab", "formats"]),
     ("subdivision", &["num", "geom", "predicates", "construct"]),
     ("portal", &["num", "geom", "construct", "scene", "subdivision"]),
     ("csg", &["num", "geom", "construct"]),
