@@ -101,6 +101,9 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
+    for output in [&args.output, &args.npy, &args.stab_tree] {
+        files::check_output(output.as_deref())?;
+    }
     let input = Input::read(&args.input)?;
     let graph = world::read_graph(&input)?;
     let header = part_header(&args, &input);
