@@ -1,24 +1,26 @@
-//! `stabline bsp`: a level's source divided into cells and portals.
+//! `stabline bsp`: geometry divided into cells and portals.
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::world::{self, WorldArgs};
 use crate::formats::prt::{self, PrtPortal, PrtWriteError};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Number, Rational};
 use crate::portal::{WorldCells, WorldError, cells_of_world};
-use crate::scene::level::{Level, LevelOptions, Role};
-use crate::scene::{self, PortalGraph, World};
+use crate::scene::world::WorldWarning;
+use crate::scene::{PortalGraph, World};
 use crate::subdivision::Options;
 use num_traits::{Signed, ToPrimitive};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Divide the inside of a level's source (`.map`) into convex cells and the portals between them
+/// Divide the space around geometry into convex cells and the portals between them
 ///
-/// A level that leaks ends with code 3; `--pts` keeps the way out.
+/// INPUT is a level's source (`.map`), a JSON scene with geometry, or polygons (`.obj`, `.gltf`,
+/// `.glb`). A world that leaks ends with code 3; `--pts` keeps the way out.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The level's source
+    /// The geometry
     input: PathBuf,
     /// Write the portals as a portal file
     #[arg(long, value_name = "OUT.prt")]
@@ -27,15 +29,11 @@ pub(super) struct Args {
     /// decimal or a longer one; the largest displacement is printed
     #[arg(long, value_name = "DECIMALS", requires = "prt", value_parser = clap::value_parser!(u32).range(0..=18))]
     snap: Option<u32>,
-    /// Where the level leaks, write the way from an entity to the outside as a line of points
+    /// Where the world leaks, write the way from a mark to the outside as a line of points
     #[arg(long, value_name = "OUT.pts")]
     pts: Option<PathBuf>,
-    /// Liquids hide what is behind them
-    #[arg(long)]
-    opaque_liquids: bool,
-    /// Keep every digit of coordinates with more than six decimals
-    #[arg(long)]
-    keep_digits: bool,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -43,16 +41,10 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let options = LevelOptions {
-        opaque_liquids: args.opaque_liquids,
-        keep_digits: args.keep_digits,
-        ..LevelOptions::default()
-    };
-    let level = scene::read_level(&input.name, &input.bytes, options)?;
-    for warning in &level.warnings {
+    let (world, warnings) = world::read_all(&input, args.world)?;
+    for warning in &warnings {
         eprintln!("{}: {warning}", input.name);
     }
-    let world = World::of_level(&level);
     let cells = match cells_of_world(&world, &Options::default()) {
         Ok(cells) => cells,
         Err(error) => {
@@ -75,8 +67,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         displacement = args.snap.map(|_| largest);
     }
     let text = match args.json {
-        true => format!("{:#}\n", as_json(&input, &level, &world, &cells, displacement.as_ref())),
-        false => as_text(&input, &level, &world, &cells, displacement.as_ref()),
+        true => {
+            format!("{:#}\n", as_json(&input, &warnings, &world, &cells, displacement.as_ref()))
+        }
+        false => as_text(&input, &warnings, &world, &cells, displacement.as_ref()),
     };
     files::print(&text)?;
     Ok(Exit::Done)
@@ -125,27 +119,25 @@ fn portals(graph: &PortalGraph, snap: Option<u32>) -> (Vec<PrtPortal>, Rational)
     (portals, largest)
 }
 
-fn count(level: &Level, role: Role) -> usize {
-    level.brushes.iter().filter(|brush| brush.role == role).count()
-}
-
 fn as_text(
     input: &Input,
-    level: &Level,
+    warnings: &[WorldWarning],
     world: &World,
     cells: &WorldCells,
     displacement: Option<&Rational>,
 ) -> String {
     let leaves = &cells.subdivision.leaves;
     let mut text = format!(
-        "{}: {} brushes that occlude, {} hints, {} others; {} oddities repaired\n\
+        "{}: {} solids, {} polygons, {} hints, {} objects, {} marks; {} oddities repaired\n\
          {} leaves of the tree, {} solid\n\
          {} cells inside, {} portals between them\n",
         input.file_name(),
-        count(level, Role::Solid),
-        count(level, Role::Hint),
-        level.brushes.len() - count(level, Role::Solid) - count(level, Role::Hint),
-        level.warnings.len(),
+        world.solids.len(),
+        world.polygons.len(),
+        world.hints.len(),
+        world.objects.len(),
+        world.marks().len(),
+        warnings.len(),
         leaves.len(),
         leaves.iter().filter(|leaf| leaf.solid).count(),
         cells.graph.cells.len(),
@@ -162,7 +154,7 @@ fn as_text(
 
 fn as_json(
     input: &Input,
-    level: &Level,
+    warnings: &[WorldWarning],
     world: &World,
     cells: &WorldCells,
     displacement: Option<&Rational>,
@@ -171,15 +163,17 @@ fn as_json(
     serde_json::json!({
         "format": "stabline-bsp/1",
         "input": input.file_name(),
-        "solid_brushes": count(level, Role::Solid),
-        "hint_brushes": count(level, Role::Hint),
-        "brushes": level.brushes.len(),
-        "warnings": level.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "solids": world.solids.len(),
+        "polygons": world.polygons.len(),
+        "hints": world.hints.len(),
+        "objects": world.objects.len(),
+        "marks": world.marks().len(),
+        "warnings": warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "leaves": leaves.len(),
         "solid_leaves": leaves.iter().filter(|leaf| leaf.solid).count(),
         "cells": cells.graph.cells.len(),
         "portals": cells.graph.portals.len(),
-        "buried_entities": cells.buried.iter().map(|&mark| world.marks()[mark].place.line).collect::<Vec<_>>(),
+        "buried_marks": cells.buried.iter().map(|&mark| world.marks()[mark].place.to_string()).collect::<Vec<_>>(),
         "displacement": displacement.map(ToString::to_string),
     })
 }
