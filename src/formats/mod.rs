@@ -6,6 +6,7 @@
 
 pub mod blake3;
 pub mod bsp;
+pub mod csg;
 pub mod json;
 pub mod lines;
 pub mod map;

@@ -14,7 +14,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("scene", &["num", "geom", "predicates", "construct", "stab", "formats"]),
     ("subdivision", &["num", "geom", "predicates", "construct"]),
     ("portal", &["num", "geom", "construct", "scene", "subdivision"]),
-    ("csg", &["num", "geom", "construct"]),
+    ("csg", &["num", "geom", "construct", "formats"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
     ("eye", &["num", "geom", "predicates", "scene", "report"]),
