@@ -23,7 +23,8 @@ const GEOMETRY: &str = r#"{"about": "a", "format": "stabline-scene/1", "grid": 4
 "objects": [{"name": "o", "box": [[6,6,0],[7,7,1]]}], "inside": [[1,1,1]],
 "hints": [{"box": [[0,0,0],[1,1,1]]}]}"#;
 
-const OBJ: &str = "o a b\nv 0 0 0 # c\nv 1.5 0 1e0\nv 1 1/3 \\\n 0\nvn 0 0 1\nf -3 2/1 3//1\nf 1 2 3\n";
+const OBJ: &str =
+    "o a b\nv 0 0 0 # c\nv 1.5 0 1e0\nv 1 1/3 \\\n 0\nvn 0 0 1\nf -3 2/1 3//1\nf 1 2 3\n";
 
 const SCENE: &str = r#"{"about": "a door", "format": "stabline-scene/1", "grid": 2,
 "cells": ["hall", "yard"], "portals": [

@@ -213,7 +213,8 @@ fn geometry(fields: &str) -> Vec<u8> {
 fn bad_geometry_is_named_with_its_place() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let polygon = |vertices: &str| geometry(&format!("\"polygons\": [{{\"polygon\": {vertices}}}]"));
+    let polygon =
+        |vertices: &str| geometry(&format!("\"polygons\": [{{\"polygon\": {vertices}}}]"));
     let brush = |shape: &str| geometry(&format!("\"brushes\": [{{\"name\": \"b\", {shape}}}]"));
     let planes = |more: &str| {
         let three = "{\"normal\": [-1,0,0], \"offset\": 0}, {\"normal\": [0,-1,0], \"offset\": 0}, \
@@ -293,12 +294,14 @@ fn bad_geometry_is_named_with_its_place() {
         ("v.json", geometry("\"brushes\": [], \"brushes\": []"), "duplicate field `brushes`"),
         (
             "w.json",
-            geometry(
-                "\"brushes\": [{\"box\": [[0,0,0],[1,1,1]]}], \"view\": [[0,0,0],[1,1,0]]",
-            ),
+            geometry("\"brushes\": [{\"box\": [[0,0,0],[1,1,1]]}], \"view\": [[0,0,0],[1,1,0]]"),
             "w.json: view: the first corner of a box",
         ),
-        ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(), "a.obj:4: corner 4: there are 3"),
+        (
+            "a.obj",
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(),
+            "a.obj:4: corner 4: there are 3",
+        ),
         ("b.obj", b"# nothing\n".to_vec(), "b.obj: faces: nothing occludes"),
         ("c.obj", b"v 0 0 1e5000\n".to_vec(), "c.obj:1: coordinate `1e5000`: the exponent"),
         (
@@ -311,8 +314,16 @@ fn bad_geometry_is_named_with_its_place() {
         ("a.glb", glb()[..99].to_vec(), "a.glb: header: states"),
         ("b.glb", b"glTF".to_vec(), "b.glb: header: 12 bytes expected"),
         ("c.gltf", b"{\"asset\": ".to_vec(), "c.gltf: JSON: "),
-        ("d.gltf", b"{\"asset\": {\"version\": \"2.0\"}}".to_vec(), "d.gltf: scenes: the file has no"),
-        ("e.gltf", beside("../secret.bin"), "`../secret.bin` is not a file in the folder of the input"),
+        (
+            "d.gltf",
+            b"{\"asset\": {\"version\": \"2.0\"}}".to_vec(),
+            "d.gltf: scenes: the file has no",
+        ),
+        (
+            "e.gltf",
+            beside("../secret.bin"),
+            "`../secret.bin` is not a file in the folder of the input",
+        ),
         ("f.gltf", beside("none.bin"), "f.gltf: buffers[0]: the buffer's bytes are not at hand"),
     ];
     for (name, bytes, expected) in &cases {

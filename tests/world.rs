@@ -164,10 +164,8 @@ fn brushes_mean_the_same_in_every_form() {
             {"normal": [1,1,0], "offset": 9}, {"normal": [1,0,0], "offset": 2}]}"#,
     ];
     let planes = forms.map(|form| {
-        let text =
-            format!(r#"{{"about": "", "format": "stabline-scene/1", "brushes": [{form}]}}"#);
-        let (world, warnings) =
-            read_world("x", text.as_bytes(), &WorldOptions::default()).unwrap();
+        let text = format!(r#"{{"about": "", "format": "stabline-scene/1", "brushes": [{form}]}}"#);
+        let (world, warnings) = read_world("x", text.as_bytes(), &WorldOptions::default()).unwrap();
         let redundant = usize::from(form.contains("planes"));
         assert_eq!(warnings.len(), redundant, "{warnings:?}");
         let mut planes = world.solids[0].planes.clone();

@@ -7,14 +7,12 @@
 
 mod bounds;
 mod cut_out;
-mod hull;
 mod planes;
 mod polygon;
 mod polyhedron;
 
 pub use bounds::Bounds;
 pub use cut_out::{Boxed, Limits};
-pub use hull::hull;
 pub use planes::{PlaneId, PlaneSet};
 pub use polygon::{Extent, Polygon, Split};
 pub use polyhedron::{Polyhedron, SolidError, mean};

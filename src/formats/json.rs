@@ -15,6 +15,7 @@ mod geometry;
 
 pub use geometry::{
     BrushShape, GeometryFile, SceneBrush, SceneObject, ScenePlane, ScenePoint, ScenePolygon,
+    SceneSolid,
 };
 
 /// The name of the format.

@@ -4,6 +4,7 @@
 //! judged, so that an error names the line and the column.
 
 use super::{Coordinate, Grid, SceneFileError};
+use crate::formats::csg::Node;
 use schemars::JsonSchema;
 use serde_json::json;
 
@@ -34,6 +35,9 @@ pub struct GeometryFile {
     /// Convex solids that occlude.
     #[serde(default)]
     pub brushes: Vec<SceneBrush>,
+    /// Solids that occlude, as expressions of convex ones.
+    #[serde(default)]
+    pub solids: Vec<SceneSolid>,
     /// Detail objects, which never occlude.
     #[serde(default)]
     pub objects: Vec<SceneObject>,
@@ -56,6 +60,18 @@ pub struct ScenePolygon {
     pub name: Option<String>,
     /// Three or more vertices in order, either way around.
     pub polygon: Vec<ScenePoint>,
+}
+
+/// A solid that need not be convex.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Solid")]
+pub struct SceneSolid {
+    /// What it is called, if it is.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The expression, as in `stabline-csg/1`.
+    pub solid: Node,
 }
 
 /// A detail object.
@@ -134,7 +150,7 @@ struct BrushFields {
 #[derive(serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
-    rename = "Plane",
+    rename = "BrushPlane",
     extend("oneOf" = [json!({"required": ["normal", "offset"]}), json!({"required": ["points"]})])
 )]
 /// A plane, by `normal` and `offset` or by three `points`.
@@ -195,8 +211,8 @@ schema_of!(ScenePlane, PlaneFields);
 
 impl GeometryFile {
     /// The names of the fields that no portal graph has.
-    pub(super) const OWN_FIELDS: [&'static str; 6] =
-        ["view", "polygons", "brushes", "objects", "inside", "hints"];
+    pub(super) const OWN_FIELDS: [&'static str; 7] =
+        ["view", "polygons", "brushes", "solids", "objects", "inside", "hints"];
 
     /// Reads a scene that states geometry.
     ///

@@ -4,8 +4,10 @@ use super::polygons::{Collector, Source};
 use super::snap::Snap;
 use super::warning::{Repair, Repairs};
 use super::{Inside, Mark, Object, Place, World, WorldHint, WorldSolid, WorldWarning};
-use crate::construct::hull;
-use crate::formats::json::{BrushShape, GeometryFile, SceneBrush, ScenePlane, ScenePoint};
+use crate::csg::{self, CsgError, NodeError, Placed};
+use crate::formats::json::{
+    BrushShape, GeometryFile, SceneBrush, ScenePlane, ScenePoint, SceneSolid,
+};
 use crate::geom::{AxialBox, BigPlane, RationalPoint3};
 use crate::num::{Int, Number, Rational};
 use crate::scene::SceneErrorKind;
@@ -66,6 +68,12 @@ pub enum StatementErrorKind {
     /// Planes that enclose nothing.
     #[error("{0}")]
     NoSolid(NoSolid),
+    /// An expression that is malformed.
+    #[error("{0}")]
+    Expression(NodeError),
+    /// An expression without a value.
+    #[error("{0}")]
+    NoValue(CsgError),
     /// Points whose hull is flat.
     #[error("its points lie in one plane, expected some with volume between them")]
     FlatHull,
@@ -84,7 +92,7 @@ pub(super) fn world_of(
 ) -> Result<(World, Vec<WorldWarning>)> {
     check_names(file)?;
     check_grid(file)?;
-    if file.polygons.is_empty() && file.brushes.is_empty() {
+    if file.polygons.is_empty() && file.brushes.is_empty() && file.solids.is_empty() {
         return Err(error("scene", StatementErrorKind::Nothing));
     }
     let mut reader = Reader { snap: snap.map(Snap::new), repairs: Repairs::default() };
@@ -93,6 +101,9 @@ pub(super) fn world_of(
         let place = place("brushes", index, brush.name.as_ref());
         let planes = reader.solid(brush, &label("brushes", index), &place)?;
         solids.extend(planes.map(|planes| WorldSolid { planes, place }));
+    }
+    for (index, solid) in file.solids.iter().enumerate() {
+        solids.extend(reader.expression(solid, index)?);
     }
     let mut hints = Vec::with_capacity(file.hints.len());
     for (index, hint) in file.hints.iter().enumerate() {
@@ -136,11 +147,13 @@ fn place(list: &str, index: usize, name: Option<&String>) -> Place {
 fn check_names(file: &GeometryFile) -> Result<()> {
     let polygons = file.polygons.iter().map(|polygon| &polygon.name).enumerate();
     let brushes = file.brushes.iter().map(|brush| &brush.name).enumerate();
+    let solids = file.solids.iter().map(|solid| &solid.name).enumerate();
     let objects = file.objects.iter().map(|object| &object.name).enumerate();
     let hints = file.hints.iter().map(|hint| &hint.name).enumerate();
     let all = polygons
         .map(|named| ("polygons", named))
         .chain(brushes.map(|named| ("brushes", named)))
+        .chain(solids.map(|named| ("solids", named)))
         .chain(objects.map(|named| ("objects", named)))
         .chain(hints.map(|named| ("hints", named)));
     let mut known: FxHashMap<&str, String> = FxHashMap::default();
@@ -249,6 +262,24 @@ impl Reader {
         Ok(Some(solid.planes))
     }
 
+    /// The convex pieces of an expression.
+    fn expression(&mut self, solid: &SceneSolid, index: usize) -> Result<Vec<WorldSolid>> {
+        let place = place("solids", index, solid.name.as_ref());
+        let broken = |kind| error(label("solids", index), kind);
+        let placed = Placed::new(&solid.solid, &[])
+            .map_err(|e| broken(StatementErrorKind::Expression(e)))?;
+        let body = csg::evaluate(&placed.expression)
+            .map_err(|e| broken(StatementErrorKind::NoValue(e)))?;
+        let flat = placed.flat.len() + body.flat.len();
+        self.repairs.add(Repair::FlatShape, flat, Some(&place));
+        let pieces = body.cells.iter().map(|cell| {
+            let faces = cell.faces().iter();
+            let planes = faces.map(|face| body.planes.plane(face.support()).clone()).collect();
+            WorldSolid { planes, place: place.clone() }
+        });
+        Ok(pieces.collect())
+    }
+
     fn polygons(&mut self, file: &GeometryFile) -> Result<Vec<super::WorldPolygon>> {
         let mut collector = Collector::new(Source::Stated, self.snap.as_mut());
         for (index, polygon) in file.polygons.iter().enumerate() {
@@ -299,8 +330,10 @@ fn planes_of(
             axial_box(&corners).map(|b| all(box_planes(&b))).ok_or(StatementErrorKind::Box)
         }
         BrushShape::Points(points) => {
-            let points: Vec<_> = points.iter().map(|p| rational(&point(&numbers(p)))).collect();
-            hull(&points).map(all).ok_or(StatementErrorKind::FlatHull)
+            let point = |p: &ScenePoint| point(&numbers(p)).map(|number| number.to_rational());
+            let points: Vec<[Rational; 3]> = points.iter().map(point).collect();
+            let halves = csg::hull(&points).map_err(|_| StatementErrorKind::FlatHull)?;
+            Ok(all(halves.iter().filter_map(|h| equation(&h.normal, &h.offset)).collect()))
         }
         BrushShape::Planes(planes) => {
             let mut known = FxHashSet::default();
@@ -309,7 +342,7 @@ fn planes_of(
                 let broken = |what| StatementErrorKind::Plane { plane: number, what };
                 let plane = match plane {
                     ScenePlane::Equation { normal, offset } => {
-                        equation(&numbers(normal), &offset.0)
+                        equation(&numbers(normal).map(|n| n.to_rational()), &offset.0.to_rational())
                             .ok_or_else(|| broken("the normal is zero"))?
                     }
                     ScenePlane::Points(points) => {
@@ -332,9 +365,9 @@ fn planes_of(
 }
 
 /// The plane normal · x = offset, its coefficients without a common factor.
-fn equation(normal: &[Number; 3], offset: &Number) -> Option<BigPlane> {
-    let [x, y, z] = normal.each_ref().map(Number::to_rational);
-    let all = [x, y, z, offset.to_rational()];
+fn equation(normal: &[Rational; 3], offset: &Rational) -> Option<BigPlane> {
+    let [x, y, z] = normal.clone();
+    let all = [x, y, z, offset.clone()];
     let common = all.iter().fold(Int::one(), |common, c| common.lcm(c.denom()));
     let [x, y, z, offset] = all.map(|c: Rational| c.numer() * (&common / c.denom()));
     let normal = [x, y, z];

@@ -75,6 +75,9 @@ pub enum Repair {
     /// A plane that cuts nothing off, or is another once more.
     #[error("a plane of a brush holds no face of it; it is left out")]
     RedundantPlane,
+    /// A part of an expression without volume.
+    #[error("a shape of an expression has no volume; it holds nothing")]
+    FlatShape,
     /// A primitive of a glTF file.
     #[error("points or lines, which occlude nothing, are left out")]
     NoSurface,
