@@ -3,7 +3,7 @@
 use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
-use crate::formats::json::SceneFile;
+use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::report::{BspReport, CellsReport, EyeReport, PvsReport, StabReport, TransversalsReport};
@@ -30,7 +30,7 @@ const SCHEMAS: &[Format] = &[
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
     ("stabline-pvs/1", PvsReport::schema),
-    ("stabline-scene/1", SceneFile::schema),
+    ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),
     ("stabline-stab/1", StabReport::schema),
     ("stabline-transversals/1", TransversalsReport::schema),

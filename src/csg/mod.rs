@@ -11,11 +11,18 @@
 //! function of the expression. Complexity: with n brushes, O(n) signs a cell and level of the tree.
 
 mod boundary;
+mod brush;
 mod expression;
+mod hull;
+mod input;
 #[cfg(test)]
 mod tests;
+mod turn;
 
-pub use expression::{Expression, Half, Transform, hull, prism, pyramid};
+pub use brush::{BrushError, cuboid, cylinder, prism, pyramid, sphere, wedge};
+pub use expression::{Expression, Half, Transform};
+pub use hull::hull;
+pub use input::{MAX_BRUSHES, MAX_DEPTH, NodeError, NodeRule, Placed};
 
 use crate::construct::{
     Bounds, Boxed, IntegerBox, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError,
