@@ -8,6 +8,7 @@
 mod cells;
 mod enumerate;
 mod flood;
+mod population;
 #[cfg(test)]
 mod tests;
 mod world;
@@ -15,4 +16,5 @@ mod world;
 pub use cells::{CellPortal, Cells};
 pub use enumerate::{Portal, enumerate};
 pub use flood::{Flood, Leak, flood};
+pub use population::{Entry, Piece, Population};
 pub use world::{WorldCells, WorldError, cells_of_world};
