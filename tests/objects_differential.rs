@@ -13,13 +13,13 @@ use stabline::oracle::{Random, on_common_grid, open_in_order};
 use stabline::portal::{Population, WorldCells, cells_of_world};
 use stabline::pvs;
 use stabline::report::{Silent, Verdict};
-use stabline::scene::world::{Inside, Object, Place, World, WorldSolid};
+use stabline::scene::world::{Inside, Mark, Object, Place, World, WorldSolid};
 use stabline::scene::{CellId, CellOrder, ObjectGraph};
 use stabline::subdivision::Options;
 use std::collections::BTreeSet;
 use support::boxes::{
-    Half, Point, clip, corner, cube, half_spaces, is_free, mean, minus, oriented, planes_of_cell,
-    rational, spans_volume, vertices, with_area,
+    Half, Point, axial, clip, corner, cube, half_spaces, is_free, mean, minus, oriented,
+    planes_of_cell, rational, spans_volume, vertices, with_area,
 };
 
 /// Boxes that occlude, some with a cut corner, and detail boxes, on so small a grid that they
@@ -46,6 +46,52 @@ fn random_world(random: &mut Random, solids: i64, objects: i64, size: i64) -> Wo
         objects: (0..objects).map(|_| object(random)).collect(),
         inside: Inside::Everywhere,
         view: None,
+    }
+}
+
+/// A closed house of three rooms in a row with offset doors, and detail boxes in rooms, doors and
+/// walls. Two posts and a lintel make a wall.
+fn random_house(random: &mut Random, objects: i64) -> World {
+    let mut world = random_world(random, 0, objects, 4);
+    let place = || Place { name: "wall".to_owned(), line: None };
+    let mut add = |low: [i64; 3], high: [i64; 3]| {
+        let planes = axial(low, high);
+        world.solids.push(WorldSolid { planes, place: place() });
+    };
+    for x in [3, 6] {
+        let left = random.between(1, 3);
+        let right = left + random.between(1, 4 - left);
+        add([x, 0, 0], [x + 1, left, 3]);
+        add([x, right, 0], [x + 1, 5, 3]);
+        add([x, left, random.between(1, 2)], [x + 1, right, 3]);
+    }
+    for (low, high) in [
+        ([-1, -1, -1], [11, 6, 0]),
+        ([-1, -1, 3], [11, 6, 4]),
+        ([-1, -1, 0], [0, 6, 3]),
+        ([10, -1, 0], [11, 6, 3]),
+        ([0, -1, 0], [10, 0, 3]),
+        ([0, 5, 0], [10, 6, 3]),
+    ] {
+        add(low, high);
+    }
+    for object in &mut world.objects {
+        let by = random.between(0, 8);
+        object.bounds.low[0] += rational(by);
+        object.bounds.high[0] += rational(by);
+    }
+    let half = Rational::new(Int::from(1), Int::from(2));
+    let point = RationalPoint3::from(&[half.clone(), half.clone(), half]);
+    world.inside = Inside::Reached(vec![Mark { point, place: place() }]);
+    world
+}
+
+/// A world of the one kind or the other.
+fn either(seed: u64, solids: i64, objects: i64, size: i64) -> World {
+    let random = &mut Random::new(seed);
+    match seed % 2 {
+        0 => random_world(random, solids, objects, size),
+        _ => random_house(random, objects),
     }
 }
 
@@ -201,8 +247,7 @@ impl Twin<'_> {
 fn pieces_are_the_feasible_programs_with_their_vertices() {
     let (mut pieces, mut none) = (0, 0);
     for seed in 500..508 {
-        let random = &mut Random::new(seed);
-        let answer = Answer::of(random_world(random, 3, 4, 6));
+        let answer = Answer::of(either(seed, 3, 4, 6));
         let mut found = answer.population.pieces.iter().peekable();
         for (object, stated) in (0..).zip(&answer.world.objects) {
             for cell in (0..answer.graph.cells).map(CellId) {
@@ -230,10 +275,8 @@ fn pieces_are_the_feasible_programs_with_their_vertices() {
 #[test]
 fn cells_see_the_objects_that_brute_force_sees() {
     let (mut seen, mut unseen, mut held) = (0, 0, 0);
-    for seed in 0..40 {
-        let random = &mut Random::new(seed);
-        let solids = random.between(1, 2);
-        let answer = Answer::of(random_world(random, solids, 2, 4));
+    for seed in 0..32 {
+        let answer = Answer::of(either(seed, 1 + (seed as i64 / 2) % 2, 3, 4));
         if answer.graph.cells > 14 {
             continue;
         }
@@ -254,7 +297,7 @@ fn cells_see_the_objects_that_brute_force_sees() {
         }
     }
     println!("{seen} pairs seen, {held} of them inside, {unseen} not seen");
-    assert!(seen > held && held > 0 && unseen > 0, "asks nothing");
+    assert!(seen > 2 * held && held > 50 && unseen > 50, "asks nothing");
 }
 
 /// A point in the cell of a sight before its first portal, and the last before the object.
@@ -295,9 +338,7 @@ fn ends(answer: &Answer, sight: &pvs::ObjectSight) -> [Point; 2] {
 fn witnesses_are_free_segments_and_free_segments_are_seen() {
     let (mut joined, mut witnesses) = (0, 0);
     for seed in 100..130 {
-        let random = &mut Random::new(seed);
-        let solids = random.between(3, 8);
-        let answer = Answer::of(random_world(random, solids, 5, 7));
+        let answer = Answer::of(either(seed, 3 + seed as i64 % 5, 5, 7));
         for sight in &answer.sights {
             let [from, to] = ends(&answer, sight);
             assert!(is_free(&answer.world, &from, &to), "seed {seed}: {sight:?}");
@@ -305,7 +346,9 @@ fn witnesses_are_free_segments_and_free_segments_are_seen() {
         }
         for (index, piece) in answer.population.pieces.iter().enumerate() {
             let end = piece.solid.inner_point().coordinates();
-            for cell in (0..answer.graph.cells).filter(|cell| (*cell as usize + index) % 3 == 0) {
+            for cell in
+                (0..answer.graph.cells).filter(|cell| (*cell as usize + index).is_multiple_of(3))
+            {
                 let leaf = answer.cells.leaves[cell as usize];
                 let start = &answer.cells.subdivision.leaf(leaf).cell;
                 let start = mean(&corner(start, index).map(|point| point.coordinates()));
@@ -318,15 +361,14 @@ fn witnesses_are_free_segments_and_free_segments_are_seen() {
         }
     }
     println!("{joined} free segments, {witnesses} witnesses");
-    assert!(joined > 1000 && witnesses > 1000);
+    assert!(joined > 500 && witnesses > 1000);
 }
 
 #[test]
 fn the_bound_rules_out_nothing_that_is_seen_and_convexity_implies_the_order() {
     let (mut exact, mut bound) = (0, 0);
     for seed in 200..220 {
-        let random = &mut Random::new(seed);
-        let answer = Answer::of(random_world(random, 7, 5, 7));
+        let answer = Answer::of(either(seed, 7, 5, 7));
         let conservative = pvs::bound_objects(&answer.graph, &Silent).unwrap();
         for (found, left) in answer.seen.iter().flatten().zip(conservative.iter().flatten()) {
             assert!(*found != Verdict::Open || *left != Verdict::NotOpen, "seed {seed}");
@@ -347,7 +389,7 @@ fn the_bound_rules_out_nothing_that_is_seen_and_convexity_implies_the_order() {
 fn a_larger_box_is_seen_from_as_many_cells_or_more() {
     for seed in 300..320 {
         let random = &mut Random::new(seed);
-        let world = random_world(random, 6, 4, 7);
+        let world = either(seed, 6, 4, 7);
         let mut larger = world.clone();
         for object in &mut larger.objects {
             let axis = random.between(0, 2) as usize;
@@ -368,9 +410,8 @@ fn a_larger_box_is_seen_from_as_many_cells_or_more() {
 fn another_occluder_opens_nothing() {
     let mut kept = 0;
     for seed in 400..420 {
-        let random = &mut Random::new(seed);
-        let after = random_world(random, 5, 4, 6);
-        // The first two corners of the box to be divided stay where they are.
+        let after = either(seed, 5, 4, 6);
+        // Of a house, the first lintel.
         let mut before = after.clone();
         before.solids.remove(2);
         let (before, after) = (Answer::of(before), Answer::of(after));
@@ -397,18 +438,13 @@ fn another_occluder_opens_nothing() {
             }
         }
     }
-    assert!(kept > 500, "{kept}");
+    assert!(kept > 300, "{kept}");
 }
 
-/// A room of 4 x 4 x 4 whose only portal of interest lies at x = 4, where a hint divides it.
 #[test]
 fn a_box_flush_with_a_portal_is_seen_through_it() {
     let place = || Place { name: "x".to_owned(), line: None };
-    let random = &mut Random::new(1);
-    let solid = |low, high, random: &mut Random| WorldSolid {
-        planes: cube(low, high, random)[..6].to_vec(),
-        place: place(),
-    };
+    let solid = |low, high| WorldSolid { planes: axial(low, high), place: place() };
     let object = |low: [i64; 3], high: [i64; 3]| Object {
         bounds: AxialBox { low: low.map(rational), high: high.map(rational) },
         place: place(),
@@ -416,10 +452,10 @@ fn a_box_flush_with_a_portal_is_seen_through_it() {
     // Two posts leave a door from y = 0 to 2 at x = 4; its plane divides the space.
     let world = World {
         solids: vec![
-            solid([4, -4, 0], [6, 0, 4], random),
-            solid([4, 2, 0], [6, 8, 4], random),
-            solid([0, -4, -1], [10, 8, 0], random),
-            solid([0, -4, 4], [10, 8, 5], random),
+            solid([4, -4, 0], [6, 0, 4]),
+            solid([4, 2, 0], [6, 8, 4]),
+            solid([0, -4, -1], [10, 8, 0]),
+            solid([0, -4, 4], [10, 8, 5]),
         ],
         polygons: Vec::new(),
         hints: Vec::new(),

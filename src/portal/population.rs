@@ -1,10 +1,10 @@
-//! Which cells hold a part of an object, and through which polygons a line of sight enters it.
+//! Which cells hold a part of an object, and through which polygons a sightline enters it.
 //!
 //! An object is a box. Pushed down the tree and cut by its planes, it falls into its pieces, one a
 //! leaf whose inside it meets: with exact signs this decides the linear program of each leaf's and
 //! the box's half-spaces (Teller 1992, section 8.2.3), and yields the common part as well.
 //!
-//! A line of sight meets the box's inside iff it starts there, or enters it through a face. The
+//! A sightline meets the box's inside iff it starts there, or enters it through a face. The
 //! faces, pushed down the tree, fall into polygons inside cells, each entered from its cell; where
 //! a face lies in a splitting plane, a line comes through that plane: from the cell outside the
 //! face, through a portal, and is in the box at once. That polygon is the part of the face between

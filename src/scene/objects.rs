@@ -1,17 +1,16 @@
 //! A portal graph whose cells hold objects.
 //!
-//! An object is a box that never hides anything; a cell sees it if an open set of lines of sight
-//! from inside the cell enters its interior (`docs/semantics.md`). So an object is one more cell of
-//! the graph that lines enter and do not leave, and its portals are the parts of its faces that lie
-//! in the cells, crossed from the outside.
+//! An object is a box that never hides anything; a cell sees it if an open set of sightlines from
+//! inside the cell enters its interior (`docs/semantics.md`). So an object is one more cell of the
+//! graph, which lines enter and do not leave, and its portals are the parts of its faces that lie in
+//! the cells, crossed from the outside.
 
 use super::{CellId, PortalGraph};
 
 /// A portal graph with objects.
 ///
 /// Invariants: the cells are exactly convex; a portal with an object on one side has a cell on the
-/// other, lies in the closed cell, and enters the object; an object with a part in some cell has a
-/// portal, unless it contains every such cell and what is around it.
+/// other, lies in the closed cell, and enters the object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ObjectGraph {
     /// The cells and the portals between them, then the objects and the portals into them.

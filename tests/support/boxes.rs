@@ -188,18 +188,21 @@ pub fn spans_volume<'a>(points: impl Iterator<Item = &'a Point>) -> bool {
     basis.len() == 3
 }
 
-/// The planes of a box, now and then with one more through a point of the box.
-pub fn cube(low: [i64; 3], high: [i64; 3], random: &mut Random) -> Vec<BigPlane> {
-    let plane = |normal: [i64; 3], offset: i64| BigPlane {
-        normal: normal.map(Int::from),
-        offset: Int::from(offset),
-    };
+fn plane(normal: [i64; 3], offset: i64) -> BigPlane {
+    BigPlane { normal: normal.map(Int::from), offset: Int::from(offset) }
+}
+
+/// The planes of a box.
+pub fn axial(low: [i64; 3], high: [i64; 3]) -> Vec<BigPlane> {
     let axis = |i: usize, sign: i64| [0, 1, 2].map(|j| if i == j { sign } else { 0 });
-    let mut planes: Vec<BigPlane> =
-        (0..3).flat_map(|i| [plane(axis(i, -1), -low[i]), plane(axis(i, 1), high[i])]).collect();
+    (0..3).flat_map(|i| [plane(axis(i, -1), -low[i]), plane(axis(i, 1), high[i])]).collect()
+}
+
+/// The planes of a box, now and then with one more through the middle of the box.
+pub fn cube(low: [i64; 3], high: [i64; 3], random: &mut Random) -> Vec<BigPlane> {
+    let mut planes = axial(low, high);
     let normal = [(); 3].map(|()| random.between(-1, 1));
     if random.one_in(3) && normal != [0; 3] {
-        // Through the middle of the box, so that volume is left.
         let twice = (0..3).map(|i| normal[i] * (low[i] + high[i])).sum();
         planes.push(plane(normal.map(|c| 2 * c), twice));
     }
