@@ -6,7 +6,9 @@ use crate::audit;
 use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{BspReport, CellsReport, EyeReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{
+    BspReport, CellsReport, EyeReport, ObjectsReport, PvsReport, StabReport, TransversalsReport,
+};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -29,6 +31,7 @@ const SCHEMAS: &[Format] = &[
     ("stabline-check/1", audit::check::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
+    ("stabline-objects/1", ObjectsReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),

@@ -3,6 +3,7 @@
 mod bsp;
 mod eye;
 mod matrix;
+mod objects;
 mod progress;
 mod pvs;
 mod stab;
@@ -13,6 +14,7 @@ pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
+pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};
 pub use stab::StabReport;

@@ -1,6 +1,7 @@
 //! Running the command, and small inputs for it.
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
+pub mod boxes;
 pub mod graphs;
 pub mod witness;
 
