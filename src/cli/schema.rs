@@ -6,7 +6,7 @@ use crate::audit;
 use crate::formats::json::SceneFile;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{EyeReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{EyeReport, MoveReport, PvsReport, StabReport, TransversalsReport};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -27,6 +27,7 @@ const SCHEMAS: &[Format] = &[
     ("stabline-check/1", audit::check::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
+    (MoveReport::FORMAT, MoveReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneFile::schema),
     ("stabline-sequence/1", SequenceFile::schema),

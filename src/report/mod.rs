@@ -2,6 +2,7 @@
 
 mod eye;
 mod matrix;
+mod motion;
 mod progress;
 mod pvs;
 mod stab;
@@ -11,6 +12,7 @@ pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
+pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};
 pub use stab::StabReport;
