@@ -198,11 +198,12 @@ fn a_box_enters_each_obstacle_when_its_twin_does() {
     assert!(entered > 40 && missed > 80 && overlapped > 5);
 }
 
-/// Scaled by a power of two or mirrored or moved, the first contact keeps its time.
+/// In a mirrored or moved world the first contact keeps its time.
 #[test]
 fn contacts_keep_their_times_in_images_of_the_world() {
     // x -> sign·x + shift on each axis.
-    let images = [([-1, 1, 1], [0, 0, 0]), ([1, -1, -1], [3, -5, 7]), ([1, 1, 1], [1 << 40, 1, 0])];
+    let images: [([i64; 3], [i64; 3]); 3] =
+        [([-1, 1, 1], [0, 0, 0]), ([1, -1, -1], [3, -5, 7]), ([1, 1, 1], [1 << 40, 1, 0])];
     for seed in 100..110 {
         let random = &mut Random::new(seed);
         let world = random_world(random, 5);
@@ -273,6 +274,10 @@ fn free_moves_stay_free_and_more_solids_stop_no_later() {
             let part = Move { from, to: walk.point.clone(), body };
             assert!(narrow.first_contact(&part).unwrap().time.is_one(), "seed {seed}: {part:?}");
             if let Ok(other) = wide.first_contact(&motion) {
+                // The larger world may end later.
+                if other.hits.iter().any(|hit| hit.obstacle == Obstacle::Bounds) {
+                    continue;
+                }
                 assert!(walk.time <= other.time, "seed {seed}: {motion:?} {to:?}");
                 sooner += usize::from(walk.time < other.time);
             }

@@ -5,43 +5,76 @@
 //! half-space is one inequality in one unknown, and a set is an interval of time.
 
 use crate::geom::{AxialBox, BigPlane, RationalPoint3};
-use crate::num::{Int, Rational, Sign};
+use crate::num::{Int, Int256, Rational, Sign};
+use num_traits::ToPrimitive;
 use std::cmp::Ordering;
+
+/// Two integers: in fixed width while they fit.
+#[derive(Clone, Debug)]
+enum Pair {
+    /// Each is below 2^127 in magnitude.
+    Fixed([i128; 2]),
+    Big(Box<[Int; 2]>),
+}
+
+impl Pair {
+    fn signs(&self) -> [Sign; 2] {
+        match self {
+            Pair::Fixed(pair) => pair.each_ref().map(Sign::of),
+            Pair::Big(pair) => pair.each_ref().map(Sign::of),
+        }
+    }
+
+    fn negated(self) -> Pair {
+        match self {
+            Pair::Fixed(pair) => Pair::Fixed(pair.map(|integer| -integer)),
+            Pair::Big(pair) => Pair::Big(Box::new(pair.map(|integer| -integer))),
+        }
+    }
+
+    fn to_big(&self) -> [Int; 2] {
+        match self {
+            Pair::Fixed(pair) => pair.map(Int::from),
+            Pair::Big(pair) => (**pair).clone(),
+        }
+    }
+}
 
 /// A moment of a move: a ratio that is compared without being reduced.
 ///
-/// Invariant: the denominator is positive.
+/// Invariant: the second integer, its denominator, is positive.
 #[derive(Clone, Debug)]
-pub(super) struct Moment {
-    numerator: Int,
-    denominator: Int,
-}
+pub(super) struct Moment(Pair);
 
 impl Moment {
     /// When a move begins.
     pub(super) fn start() -> Moment {
-        Moment { numerator: Int::from(0), denominator: Int::from(1) }
+        Moment(Pair::Fixed([0, 1]))
     }
 
     /// When a move ends.
     pub(super) fn end() -> Moment {
-        Moment { numerator: Int::from(1), denominator: Int::from(1) }
+        Moment(Pair::Fixed([1, 1]))
     }
 }
 
 impl From<&Moment> for Rational {
     fn from(moment: &Moment) -> Rational {
-        Rational::new(moment.numerator.clone(), moment.denominator.clone())
+        let [numerator, denominator] = moment.0.to_big();
+        Rational::new(numerator, denominator)
     }
 }
 
 impl Ord for Moment {
     fn cmp(&self, other: &Moment) -> Ordering {
-        if self.denominator == other.denominator {
-            return self.numerator.cmp(&other.numerator);
+        if let (Pair::Fixed([a, b]), Pair::Fixed([c, d])) = (&self.0, &other.0) {
+            if b == d {
+                return a.cmp(c);
+            }
+            return Int256::product(*a, *d).cmp(&Int256::product(*c, *b));
         }
-        let ours = &self.numerator * &other.denominator;
-        ours.cmp(&(&other.numerator * &self.denominator))
+        let ([a, b], [c, d]) = (self.0.to_big(), other.0.to_big());
+        (a * d).cmp(&(c * b))
     }
 }
 
@@ -69,30 +102,47 @@ pub(super) struct Span {
 /// A straight motion of a point, or of a box that the point carries along.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
-    /// How many of its units are one world unit.
-    grid: Int,
+    exact: Line<Int>,
+    /// The same, where all its integers are below 2^61 in magnitude.
+    fixed: Option<Line<i128>>,
+    /// Where the point starts, in the line's units.
     from: [Int; 3],
-    /// From the start to the end.
-    step: [Int; 3],
-    /// The box's corners as seen from the point.
-    low: [Int; 3],
-    high: [Int; 3],
 }
 
-/// What a half-space asks of the time: `rise · t <= room`.
-struct Limit {
-    rise: Int,
-    room: Int,
+/// The integers of a path.
+#[derive(Clone, Debug)]
+struct Line<T> {
+    /// How many of its units are one world unit.
+    grid: T,
+    /// From the start to the end.
+    step: [T; 3],
+    /// The corner of least coordinates at the start: the point itself where it moves alone.
+    low: [T; 3],
+    /// The corner of greatest coordinates at the start.
+    high: [T; 3],
+}
+
+/// What a half-space asks of the time: `room >= rise · t`, as (room, rise).
+struct Limit(Pair);
+
+impl Limit {
+    /// When it holds with equality; the rise is not zero.
+    fn moment(self) -> Moment {
+        match self.0.signs()[1] {
+            Sign::Negative => Moment(self.0.negated()),
+            Sign::Zero => unreachable!("a motion along a plane does not cross it"),
+            Sign::Positive => Moment(self.0),
+        }
+    }
 }
 
 impl Path {
     /// The motion of a point.
     pub(super) fn of_point(from: &RationalPoint3, to: &RationalPoint3) -> Path {
         let grid = RationalPoint3::common_denominator([from, to]);
-        let [start, end] = [from, to].map(|point| point.on_grid(&grid).coordinates);
-        let step = std::array::from_fn(|i| &end[i] - &start[i]);
-        let zero = || [Int::ZERO, Int::ZERO, Int::ZERO];
-        Path { grid, from: start, step, low: zero(), high: zero() }
+        let [from, to] = [from, to].map(|point| point.on_grid(&grid).coordinates);
+        let step = std::array::from_fn(|i| &to[i] - &from[i]);
+        Path::new(Line { grid, step, low: from.clone(), high: from.clone() }, from)
     }
 
     /// The motion of a box, whose corners are given as seen from the point.
@@ -100,9 +150,22 @@ impl Path {
         let corners = [&body.low, &body.high].map(RationalPoint3::from);
         let grid = RationalPoint3::common_denominator([from, to, &corners[0], &corners[1]]);
         let [from, to] = [from, to].map(|point| point.on_grid(&grid).coordinates);
-        let [low, high] = corners.map(|corner| corner.on_grid(&grid).coordinates);
         let step = std::array::from_fn(|i| &to[i] - &from[i]);
-        Path { grid, from, step, low, high }
+        let [low, high] = corners.map(|corner| {
+            let corner = corner.on_grid(&grid).coordinates;
+            std::array::from_fn(|i| &from[i] + &corner[i])
+        });
+        Path::new(Line { grid, step, low, high }, from)
+    }
+
+    fn new(exact: Line<Int>, from: [Int; 3]) -> Path {
+        let fixed = |integer: &Int| integer.to_i128().filter(|i| i.unsigned_abs() < 1 << 61);
+        let all = |[x, y, z]: &[Int; 3]| Some([fixed(x)?, fixed(y)?, fixed(z)?]);
+        let Line { grid, step, low, high } = &exact;
+        let fixed = || {
+            Some(Line { grid: fixed(grid)?, step: all(step)?, low: all(low)?, high: all(high)? })
+        };
+        Path { fixed: fixed(), exact, from }
     }
 
     /// When the point is in the closed intersection of half-spaces, or the closed box touches it
@@ -130,27 +193,15 @@ impl Path {
     ) -> Option<Span> {
         let (mut low, mut high) = (Moment::start(), Moment::end());
         for plane in half_spaces {
-            let Limit { rise, room } = self.limit(plane);
-            match Sign::of(&rise) {
-                Sign::Negative => {
-                    let moment = Moment { numerator: -room, denominator: -rise };
-                    if moment > low {
-                        low = moment;
-                    }
-                }
+            let limit = self.limit(plane);
+            match limit.0.signs() {
+                [_, Sign::Negative] => low = low.max(limit.moment()),
                 // Along the plane: in the half-space always or never; a motion inside of the
                 // plane touches it all the time.
-                Sign::Zero => match Sign::of(&room) {
-                    Sign::Negative => return None,
-                    Sign::Zero if strict => return None,
-                    Sign::Zero | Sign::Positive => continue,
-                },
-                Sign::Positive => {
-                    let moment = Moment { numerator: room, denominator: rise };
-                    if moment < high {
-                        high = moment;
-                    }
-                }
+                [Sign::Negative, Sign::Zero] => return None,
+                [Sign::Zero, Sign::Zero] if strict => return None,
+                [Sign::Zero | Sign::Positive, Sign::Zero] => continue,
+                [_, Sign::Positive] => high = high.min(limit.moment()),
             }
             match low.cmp(&high) {
                 Ordering::Less => {}
@@ -164,53 +215,51 @@ impl Path {
 
     /// Whether it enters the half-space at just this moment.
     pub(super) fn enters(&self, plane: &BigPlane, moment: &Moment) -> bool {
-        let Limit { rise, room } = self.limit(plane);
-        match Sign::of(&rise) {
-            Sign::Negative => is_at(rise, room, moment),
-            // It is inside all the time, or never.
-            Sign::Zero => false,
-            Sign::Positive => false,
-        }
+        self.crosses(plane, moment, Sign::Negative)
     }
 
     /// Whether it leaves the half-space at just this moment.
     pub(super) fn leaves(&self, plane: &BigPlane, moment: &Moment) -> bool {
-        let Limit { rise, room } = self.limit(plane);
-        match Sign::of(&rise) {
-            Sign::Negative => false,
-            // It is inside all the time, or never.
-            Sign::Zero => false,
-            Sign::Positive => is_at(rise, room, moment),
-        }
+        self.crosses(plane, moment, Sign::Positive)
+    }
+
+    /// Whether it reaches the plane at just this moment, and rises or falls against it as told.
+    fn crosses(&self, plane: &BigPlane, moment: &Moment, rise: Sign) -> bool {
+        let limit = self.limit(plane);
+        limit.0.signs()[1] == rise && limit.moment() == *moment
     }
 
     /// Where the point is at a moment.
     pub(super) fn at(&self, moment: &Moment) -> RationalPoint3 {
-        let Moment { numerator, denominator } = moment;
-        let coordinate = |i: usize| &self.from[i] * denominator + &self.step[i] * numerator;
-        RationalPoint3::new([0, 1, 2].map(coordinate), &self.grid * denominator)
+        let [numerator, denominator] = moment.0.to_big();
+        let Line { grid, step, .. } = &self.exact;
+        let coordinate = |i: usize| &self.from[i] * &denominator + &step[i] * &numerator;
+        RationalPoint3::new([0, 1, 2].map(coordinate), grid * &denominator)
     }
 
     /// The box keeps in the half-space grown by itself as long as its corner that reaches furthest
     /// against the normal is in the half-space.
     fn limit(&self, plane: &BigPlane) -> Limit {
-        let BigPlane { normal, offset } = plane;
-        let (mut rise, mut room) = (Int::ZERO, offset * &self.grid);
-        for (i, n) in normal.iter().enumerate() {
-            let corner = match Sign::of(n) {
-                Sign::Negative => &self.high[i],
-                // The plane is parallel to the axis.
-                Sign::Zero => continue,
-                Sign::Positive => &self.low[i],
-            };
-            rise += n * &self.step[i];
-            room -= n * (&self.from[i] + corner);
+        let [a, b, c] = &plane.normal;
+        if let Some(line) = &self.fixed {
+            // Four products below 2^63 · 2^61 each: their sum is at most 2^126.
+            let fixed = |integer: &Int| integer.to_i64().map(i128::from);
+            let normal = || Some([fixed(a)?, fixed(b)?, fixed(c)?]);
+            if let (Some(normal), Some(offset)) = (normal(), fixed(&plane.offset)) {
+                let (mut room, mut rise) = (offset * line.grid, 0);
+                for (i, n) in normal.into_iter().enumerate() {
+                    rise += n * line.step[i];
+                    room -= n * if n < 0 { line.high[i] } else { line.low[i] };
+                }
+                return Limit(Pair::Fixed([room, rise]));
+            }
         }
-        Limit { rise, room }
+        let line = &self.exact;
+        let (mut room, mut rise) = (&plane.offset * &line.grid, Int::ZERO);
+        for (i, n) in plane.normal.iter().enumerate() {
+            rise += n * &line.step[i];
+            room -= n * if *n < Int::ZERO { &line.high[i] } else { &line.low[i] };
+        }
+        Limit(Pair::Big(Box::new([room, rise])))
     }
-}
-
-/// Whether `rise · moment = room`.
-fn is_at(rise: Int, room: Int, moment: &Moment) -> bool {
-    rise * &moment.numerator == room * &moment.denominator
 }
