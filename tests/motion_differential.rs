@@ -4,7 +4,7 @@ mod support;
 
 use num_traits::{One, Zero};
 use stabline::geom::{AxialBox, BigPlane, RationalPoint3};
-use stabline::motion::{Move, MoveError, Obstacle, Space, Walk};
+use stabline::motion::{Move, MoveError, Obstacle, Space, Touch, Walk};
 use stabline::num::{Int, Rational};
 use stabline::oracle::{Random, first_contact, overlap};
 use stabline::portal::cells_of_world;
@@ -107,7 +107,7 @@ fn random_box(random: &mut Random) -> AxialBox {
 
 #[test]
 fn a_box_stops_at_the_first_of_all_obstacles() {
-    let (mut free, mut stopped, mut overlapping) = (0, 0, 0);
+    let (mut free, mut stopped, mut overlapping, mut crosswise) = (0, 0, 0, 0);
     for seed in 1..60 {
         let random = &mut Random::new(seed);
         let mut world = random_world(random, 6);
@@ -132,6 +132,8 @@ fn a_box_stops_at_the_first_of_all_obstacles() {
                         .collect();
                     let mut named: Vec<_> = walk.hits.iter().map(|hit| hit.obstacle).collect();
                     named.dedup();
+                    let edges = walk.hits.iter().filter(|hit| hit.touch == Touch::Edges);
+                    crosswise += edges.count();
                     assert_eq!(named, hit, "seed {seed}: {motion:?}");
                     if walk.time.is_one() { free += 1 } else { stopped += 1 }
                 }
@@ -144,8 +146,8 @@ fn a_box_stops_at_the_first_of_all_obstacles() {
             }
         }
     }
-    println!("{free} free, {stopped} stopped, {overlapping} overlapping");
-    assert!(free > 100 && stopped > 200 && overlapping > 200);
+    println!("{free} free, {stopped} stopped ({crosswise} edges), {overlapping} overlapping");
+    assert!(free > 100 && stopped > 200 && crosswise > 0 && overlapping > 200);
 }
 
 /// The time at which each obstacle alone is entered, against the linear program in space and time.
@@ -154,16 +156,18 @@ fn a_box_enters_each_obstacle_when_its_twin_does() {
     let (mut entered, mut missed, mut overlapped) = (0, 0, 0);
     for seed in 1..20 {
         let random = &mut Random::new(seed);
-        let mut world = random_world(random, 2);
+        let mut world = random_world(random, 1);
         world.polygons = vec![random_polygon(random)];
         let cells = cells_of_world(&world, &tight()).unwrap();
         let space = Space::new(&world, &cells);
         let mut bodies: Vec<(Obstacle, Vec<BigPlane>)> =
             planes(&world).into_iter().enumerate().map(|(i, p)| (Obstacle::Solid(i), p)).collect();
         bodies.push((Obstacle::Polygon(0), polygon_planes(&world.polygons[0].vertices)));
-        for _ in 0..6 {
+        for round in 0..8 {
             let (from, body) = (place(random), random_box(random));
-            let to = target(random, &from);
+            // Half of the moves towards the solid that is always there.
+            let aimed = [random.between(6, 8), random.between(6, 10), random.between(1, 6)];
+            let to = if round % 2 == 0 { point(aimed, 2) } else { target(random, &from) };
             if from == to {
                 continue;
             }
@@ -195,7 +199,7 @@ fn a_box_enters_each_obstacle_when_its_twin_does() {
         }
     }
     println!("{entered} entered, {missed} missed, {overlapped} overlapped");
-    assert!(entered > 40 && missed > 80 && overlapped > 5);
+    assert!(entered > 40 && missed > 80 && overlapped > 0);
 }
 
 /// In a mirrored or moved world the first contact keeps its time.
@@ -251,16 +255,16 @@ fn contacts_keep_their_times_in_images_of_the_world() {
 /// What is free is free backwards, and half of it is free; one more solid never helps.
 #[test]
 fn free_moves_stay_free_and_more_solids_stop_no_later() {
-    let (mut free, mut sooner) = (0, 0);
+    let (mut walked, mut sooner) = (0, 0);
     for seed in 200..215 {
         let random = &mut Random::new(seed);
         let world = random_world(random, 4);
         let mut crowded = world.clone();
-        crowded.solids.extend(random_world(random, 1).solids.drain(..1));
+        crowded.solids.extend(random_world(random, 3).solids.drain(..3));
         let (cells, fewer) =
             [&crowded, &world].map(|w| cells_of_world(w, &tight()).unwrap()).into();
         let (narrow, wide) = (Space::new(&crowded, &cells), Space::new(&world, &fewer));
-        for round in 0..40 {
+        for round in 0..160 {
             let from = place(random);
             let to = target(random, &from);
             let body = (round % 2 == 0).then(|| random_box(random));
@@ -281,11 +285,11 @@ fn free_moves_stay_free_and_more_solids_stop_no_later() {
                 assert!(walk.time <= other.time, "seed {seed}: {motion:?} {to:?}");
                 sooner += usize::from(walk.time < other.time);
             }
-            free += 1;
+            walked += 1;
         }
     }
-    println!("{free} moves, {sooner} of them stopped sooner");
-    assert!(free > 200 && sooner > 10);
+    println!("{walked} moves, {sooner} of them stopped sooner");
+    assert!(walked > 200 && sooner > 10);
 }
 
 /// Random moves in a public level: points against the twin among all solids, boxes against all

@@ -1,16 +1,18 @@
 //! First contact: how far a point, or an axial box, gets on a straight move through the cells.
 //!
-//! Definitions. A move takes a point from one position to another; at the time t in [0, 1] it is at
-//! p(t) = from + t (to - from). A *point* may be in closed cells, and passes from one cell to
+//! Definitions. A move takes a point from one position to another; at the time t in [0, 1] it is
+//! at p(t) = from + t (to - from). A *point* may be in closed cells, and passes from one cell to
 //! another only while it is in a closed portal between them. A *box* is carried by the point; its
-//! inside may meet neither the inside of a solid nor a polygon. The first contact is the least time
-//! after which this fails at once; a move without one is free. `docs/motion.md` gives the reasons.
+//! inside may meet neither the inside of a solid nor a polygon. The first contact is the least
+//! time after which this fails at once; a move without one is free. `docs/motion.md` has every
+//! borderline case.
 //!
-//! Algorithm (Carr 2004, chapter 5, made exact). All sets that matter are convex, so that a straight
-//! move is in each of them for one interval of time, with rational ends (`path`). A point's way is
-//! the search for the earliest entry into each cell through the closed portals (`point`). A box is
-//! held against the bodies near the cells that it may come to, which a flood through the portals
-//! near its way finds (`carried`), by the supporting half-spaces of their Minkowski sum (`body`).
+//! Algorithm (Carr 2004, on collision detection, made exact). All sets that matter are convex, so
+//! that a straight move is in each of them for one interval of time, with rational ends (`path`). A
+//! point's way is the search for the earliest entry into each cell through the closed portals
+//! (`point`). A box is held against the bodies near the cells that it may come to, which a flood
+//! through the portals near its way finds (`carried`), by the supporting half-spaces of their
+//! Minkowski sum (`body`).
 //!
 //! Complexity of a move: O((c + g) log g) comparisons and O(f) half-spaces, for the c cells on the
 //! way, their g portals and the f faces of both; a box pays for the bodies near these cells as well.
@@ -129,22 +131,35 @@ impl Space<'_> {
     /// The first contact of a move, and the cells on the way.
     ///
     /// ```
-    /// # use stabline::{geom::{BigPlane, RationalPoint3}, motion::*, num::*, portal::*, scene::world::*};
-    /// # let axis = |i: usize, sign: i32| std::array::from_fn(|j| Int::from(if i == j { sign } else { 0 }));
-    /// // A solid between x = 4 and x = 8, in a world without marks.
-    /// let sides = [(0, -1, -4), (0, 1, 8), (1, -1, 0), (1, 1, 8), (2, -1, 0), (2, 1, 8)];
-    /// let planes = sides.map(|(i, sign, offset)| BigPlane { normal: axis(i, sign), offset: offset.into() });
-    /// let place = Place { name: "wall".into(), line: None };
-    /// let world = World {
-    ///     solids: vec![WorldSolid { planes: planes.into(), place }],
-    ///     polygons: vec![], hints: vec![], objects: vec![], inside: Inside::Everywhere, view: None,
-    /// };
+    /// # use stabline::geom::{BigPlane, RationalPoint3};
+    /// # use stabline::motion::{Move, Space};
+    /// # use stabline::num::{Int, Rational};
+    /// # use stabline::portal::cells_of_world;
+    /// # use stabline::scene::world::{Inside, Place, World, WorldSolid};
+    /// # let half_space = |axis: usize, sign: i32, offset: i32| BigPlane {
+    /// #     normal: std::array::from_fn(|i| Int::from(if i == axis { sign } else { 0 })),
+    /// #     offset: Int::from(offset),
+    /// # };
+    /// # let sides = [(0, -1, -4), (0, 1, 8), (1, -1, 0), (1, 1, 8), (2, -1, 0), (2, 1, 8)];
+    /// # let planes = sides.map(|(axis, sign, offset)| half_space(axis, sign, offset)).into();
+    /// # let place = Place { name: "wall".into(), line: None };
+    /// # let world = World {
+    /// #     solids: vec![WorldSolid { planes, place }],
+    /// #     polygons: vec![],
+    /// #     hints: vec![],
+    /// #     objects: vec![],
+    /// #     inside: Inside::Everywhere,
+    /// #     view: None,
+    /// # };
+    /// # let point = |x: i32| RationalPoint3::new([x, 2, 2].map(Int::from), Int::from(1));
+    /// // A world with one solid, from x = 4 on.
     /// let cells = cells_of_world(&world, &Default::default())?;
-    /// let point = |x: i32| RationalPoint3::new([x, 2, 2].map(Int::from), Int::from(1));
     /// let space = Space::new(&world, &cells);
-    /// let walk = space.first_contact(&Move { from: point(1), to: point(7), body: None })?;
-    /// assert_eq!((walk.time, walk.point), (Rational::new(1.into(), 2.into()), point(4)));
-    /// assert_eq!(walk.hits[0].normal, axis(0, -1));
+    /// let motion = Move { from: point(1), to: point(7), body: None };
+    /// let walk = space.first_contact(&motion)?;
+    /// assert_eq!(walk.time, Rational::new(1.into(), 2.into()));
+    /// assert_eq!(walk.point, point(4));
+    /// assert_eq!(walk.hits[0].normal, [-1, 0, 0].map(Int::from));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
