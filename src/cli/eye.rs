@@ -111,7 +111,7 @@ fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
 }
 
 /// The `N` numbers of an option, read exactly.
-fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
+pub(super) fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
     let read = |part: &str| {
         parse_decimal(part.trim())
             .map_err(|error| Failure::usage(format!("{option}: `{part}`: {error}")))

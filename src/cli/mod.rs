@@ -13,6 +13,7 @@ mod export;
 mod eye;
 mod files;
 mod interrupt;
+mod motion;
 mod numbers;
 mod progress;
 mod pvs;
@@ -46,6 +47,7 @@ enum Command {
     Check(check::Args),
     Export(export::Args),
     Eye(eye::Args),
+    Move(motion::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
@@ -60,6 +62,7 @@ impl Command {
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
+            Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),

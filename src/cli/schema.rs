@@ -7,7 +7,8 @@ use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::report::{
-    BspReport, CellsReport, EyeReport, ObjectsReport, PvsReport, StabReport, TransversalsReport,
+    BspReport, CellsReport, EyeReport, MoveReport, ObjectsReport, PvsReport, StabReport,
+    TransversalsReport,
 };
 use serde_json::Value;
 
@@ -31,6 +32,7 @@ const SCHEMAS: &[Format] = &[
     ("stabline-check/1", audit::check::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
+    (MoveReport::FORMAT, MoveReport::schema),
     ("stabline-objects/1", ObjectsReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneKind::schema),

@@ -3,6 +3,7 @@
 mod bsp;
 mod eye;
 mod matrix;
+mod motion;
 mod objects;
 mod progress;
 mod pvs;
@@ -14,6 +15,7 @@ pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
+pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
 pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};

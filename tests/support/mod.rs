@@ -4,6 +4,7 @@
 pub mod boxes;
 pub mod graphs;
 pub mod witness;
+pub mod worlds;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -18,6 +18,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("portal", &["num", "geom", "predicates", "construct", "scene", "report", "subdivision"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
     ("eye", &["num", "geom", "predicates", "scene", "report"]),
+    ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
     (
@@ -35,6 +36,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "report",
             "pvs",
             "eye",
+            "motion",
             "audit",
         ],
     ),
