@@ -3,6 +3,7 @@
 
 pub mod graphs;
 pub mod witness;
+pub mod worlds;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
