@@ -129,14 +129,12 @@ impl Source {
     fn ends(&mut self) -> [Point; 2] {
         let step = [16 * UNIT, UNIT, 1][self.random.between(0, 2) as usize];
         let reach = 128 * UNIT / step;
-        let mut ends = [[0; 3]; 2];
-        for axis in 0..3 {
+        let spans = self.place.map(|place| {
             let low = self.random.between(-reach, reach);
             let high = low + self.random.between(1, 1 + reach);
-            let place = self.place[axis];
-            (ends[0][axis], ends[1][axis]) = (place + low * step, place + high * step);
-        }
-        ends
+            [low, high].map(|end| place + end * step)
+        });
+        [0, 1].map(|end| spans.map(|span| span[end]))
     }
 
     fn cuboid(&mut self, [low, high]: [Point; 2], texture: &str) {
