@@ -3,6 +3,7 @@
 
 pub mod boxes;
 pub mod graphs;
+pub mod obstacles;
 pub mod witness;
 pub mod worlds;
 
