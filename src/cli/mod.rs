@@ -7,6 +7,7 @@
 
 mod bsp;
 mod check;
+mod csg;
 mod exit;
 mod export;
 mod eye;
@@ -42,6 +43,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 enum Command {
     Bsp(bsp::Args),
     Check(check::Args),
+    Csg(csg::Args),
     Export(export::Args),
     Eye(eye::Args),
     Pvs(Box<pvs::Args>),
@@ -56,6 +58,7 @@ impl Command {
         match self {
             Command::Bsp(args) => bsp::run(args),
             Command::Check(args) => check::run(args),
+            Command::Csg(args) => csg::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
             Command::Pvs(args) => pvs::run(*args),

@@ -3,10 +3,13 @@
 use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
+use crate::formats::csg::CsgFile;
 use crate::formats::json::SceneFile;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{EyeReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{
+    BodyReport, BodyTreeReport, EyeReport, PvsReport, StabReport, TransversalsReport,
+};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -24,7 +27,10 @@ type Format = (&'static str, fn() -> Value);
 
 /// Every format.
 const SCHEMAS: &[Format] = &[
+    (BodyReport::FORMAT, BodyReport::schema),
     ("stabline-check/1", audit::check::schema),
+    ("stabline-csg/1", CsgFile::schema),
+    (BodyTreeReport::FORMAT, BodyTreeReport::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
     ("stabline-pvs/1", PvsReport::schema),

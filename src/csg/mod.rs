@@ -111,6 +111,16 @@ pub fn evaluate(expression: &Expression) -> Result<Body, CsgError> {
     Ok(Body { planes, tree, cells, boundary, flat })
 }
 
+impl CsgError {
+    /// The brush that it is about, counted from 0 in the order of the expression.
+    pub fn brush(&self) -> Option<usize> {
+        match self {
+            CsgError::NoNormal { brush, .. } | CsgError::UnboundedBrush { brush } => Some(*brush),
+            CsgError::Unbounded => None,
+        }
+    }
+}
+
 impl Body {
     /// Its volume.
     pub fn volume(&self) -> Rational {

@@ -1,5 +1,6 @@
 //! Results: their types, their canonical text, and the sink that searches report progress to.
 
+mod body;
 mod eye;
 mod matrix;
 mod progress;
@@ -7,6 +8,7 @@ mod pvs;
 mod stab;
 mod transversals;
 
+pub use body::{BodyReport, BodyTreeReport, body_text};
 pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
 };

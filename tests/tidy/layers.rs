@@ -15,7 +15,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("subdivision", &["num", "geom", "predicates", "construct"]),
     ("portal", &["num", "geom", "construct", "scene", "subdivision"]),
     ("csg", &["num", "geom", "construct", "formats"]),
-    ("report", &["num", "geom", "stab", "scene", "formats"]),
+    ("report", &["num", "geom", "construct", "stab", "scene", "csg", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
     ("eye", &["num", "geom", "predicates", "scene", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
