@@ -1,5 +1,6 @@
 //! Results: their types, their canonical text, and the sink that searches report progress to.
 
+mod body;
 mod bsp;
 mod eye;
 mod matrix;
@@ -10,6 +11,7 @@ mod pvs;
 mod stab;
 mod transversals;
 
+pub use body::{BodyReport, BodyTreeReport, body_text};
 pub use bsp::{BspChecked, BspReport, BspStage, CellShape, CellsReport, PortalPolygon};
 pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,

@@ -13,7 +13,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("stab", &["num", "geom", "predicates"]),
     ("csg", &["num", "geom", "construct", "formats"]),
     ("scene", &["num", "geom", "predicates", "construct", "stab", "formats", "csg"]),
-    ("report", &["num", "geom", "stab", "scene", "formats"]),
+    ("report", &["num", "geom", "construct", "stab", "csg", "scene", "formats"]),
     ("subdivision", &["num", "geom", "predicates", "construct", "report"]),
     ("portal", &["num", "geom", "predicates", "construct", "scene", "report", "subdivision"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
