@@ -2,7 +2,7 @@
 
 use super::super::exit::Failure;
 use super::super::files::Input;
-use super::super::world;
+use super::super::world::{self, WorldArgs};
 use super::{Args, on_threads};
 use crate::portal::Population;
 use crate::pvs::{self, ObjectSight};
@@ -26,14 +26,14 @@ pub(super) struct Objects {
 }
 
 /// The cells of a world, and the objects in them.
-pub(super) fn read(input: &Input) -> Result<(PortalGraph, Objects), Failure> {
+pub(super) fn read(input: &Input, args: WorldArgs) -> Result<(PortalGraph, Objects), Failure> {
     if !world::is_world(input) {
         return Err(Failure::usage(format!(
             "--objects: {} is a portal graph, which states no objects; expected a level's source",
             input.name
         )));
     }
-    let stated = world::read(input)?;
+    let stated = world::read(input, args)?;
     let cells = world::cells(input, &stated)?;
     let graph = Population::of(&stated.objects, &cells)
         .graph(&stated.objects, &cells.graph)
