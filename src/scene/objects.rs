@@ -2,8 +2,8 @@
 //!
 //! An object is a box that never hides anything; a cell sees it if an open set of sightlines from
 //! inside the cell enters its interior (`docs/semantics.md`). So an object is one more cell of the
-//! graph, which lines enter and do not leave, and its portals are the parts of its faces that lie in
-//! the cells, crossed from the outside.
+//! graph, which lines enter and do not leave, and its portals are the parts of its faces that lie
+//! in the cells, crossed from the outside.
 
 use super::{CellId, PortalGraph};
 
