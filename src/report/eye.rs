@@ -85,7 +85,7 @@ pub struct EyeRegion {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(rename = "Ratio")]
-pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] String);
+pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] pub(super) String);
 
 /// An integer: as a string where it does not fit in 53 bits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -96,6 +96,13 @@ pub enum Integer {
     Small(i64),
     /// More than that.
     Large(#[schemars(regex(pattern = "^-?[0-9]+$"))] String),
+}
+
+impl Ratio {
+    /// The number 1.
+    pub(super) fn one() -> Ratio {
+        Ratio("1".to_owned())
+    }
 }
 
 impl From<&Rational> for Ratio {
@@ -205,6 +212,7 @@ fn list(portals: &[u32]) -> String {
     portals.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
 }
 
-fn tuple([x, y, z]: &[Ratio; 3]) -> String {
+/// A point as canonical text shows it.
+pub(super) fn tuple([x, y, z]: &[Ratio; 3]) -> String {
     format!("({} {} {})", x.0, y.0, z.0)
 }
