@@ -1,19 +1,22 @@
-//! `stabline eye`: what one point sees through the portals.
+//! `stabline eye`: what one point sees of a portal graph or a world.
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::world;
-use crate::eye::{Cull, EyeGraph, Frustum, Lens, LocateError, Query, half_tangent};
+use crate::eye::{
+    Cull, EyeGraph, EyeWorld, Frustum, Lens, LocateError, Query, WorldAnswer, half_tangent,
+};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, parse_decimal};
-use crate::report::InputId;
+use crate::report::{EyeReport, InputId};
+use crate::scene;
 use num_integer::Integer;
 use std::path::PathBuf;
 
-/// Compute what an eye sees through the portals: cells, and the seen parts of portals
+/// Compute what an eye sees: cells, the seen space or the seen parts of portals, objects
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or a level's source
     input: PathBuf,
     /// Where the eye is: three decimals or ratios
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -36,9 +39,12 @@ pub(super) struct Args {
     /// The cell that the eye is in, where the portals do not tell: its name, or its number
     #[arg(long, value_name = "C")]
     cell: Option<String>,
-    /// Give the seen part of each sequence's last portal
+    /// Give what is seen: of each sequence's last portal, or of a level's cells as polyhedra
     #[arg(long)]
     regions: bool,
+    /// Give the detail objects of a level that are seen
+    #[arg(long)]
+    objects: bool,
     /// Print JSON (`stabline-eye/1`)
     #[arg(long)]
     json: bool,
@@ -70,14 +76,33 @@ impl Method {
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let eye = point(&numbers("--at", &args.at)?);
     let lens = lens(&args)?;
-    if args.regions && args.cull != Method::Exact {
-        return Err(Failure::usage("--regions needs the exact cull"));
+    for (asked, option) in [(args.regions, "--regions"), (args.objects, "--objects")] {
+        if asked && args.cull != Method::Exact {
+            return Err(Failure::usage(format!("{option} needs the exact cull")));
+        }
     }
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let report = match world::is_world(&input) {
+        true => of_world(&args, &input, &eye, lens.as_ref())?,
+        false => of_graph(&args, &input, &eye, lens.as_ref())?,
+    };
+    let text = if args.json { report.to_json() } else { report.to_text() };
+    files::print(&text).map(|()| Exit::Done)
+}
+
+fn of_graph(
+    args: &Args,
+    input: &Input,
+    eye: &RationalPoint3,
+    lens: Option<&Lens>,
+) -> Result<EyeReport, Failure> {
+    if args.objects {
+        return Err(Failure::usage("--objects needs a level: a portal graph has none"));
+    }
+    let graph = scene::read_graph(&input.name, &input.bytes)?;
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
-    let frustum = lens.as_ref().map(|lens| &lens.frustum);
-    let query = Query { eye: &eye, frustum, cell, regions: args.regions };
+    let frustum = lens.map(|lens| &lens.frustum);
+    let query = Query { eye, frustum, cell, regions: args.regions };
     let (cull, name) = args.cull.cull();
     let answer = EyeGraph::new(&graph).look(&query, cull).map_err(|error| match error {
         LocateError::Nowhere => Failure::file(&input.name, error),
@@ -85,9 +110,36 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         LocateError::NotInCell { .. } => Failure::usage(error),
     })?;
     let id = InputId::new(&input.file_name(), &input.bytes);
-    let report = answer.report(&graph, id, &eye, lens.as_ref(), (name, args.regions));
-    let text = if args.json { report.to_json() } else { report.to_text() };
-    files::print(&text).map(|()| Exit::Done)
+    Ok(answer.report(&graph, id, eye, lens, (name, args.regions)))
+}
+
+fn of_world(
+    args: &Args,
+    input: &Input,
+    eye: &RationalPoint3,
+    lens: Option<&Lens>,
+) -> Result<EyeReport, Failure> {
+    if args.cell.is_some() {
+        return Err(Failure::usage("--cell is for portal graphs: a level's tree places every eye"));
+    }
+    let world = world::read(input)?;
+    let cells = world::cells(input, &world)?;
+    let frustum = lens.map(|lens| &lens.frustum);
+    let query = Query { eye, frustum, cell: None, regions: args.regions || args.objects };
+    let (cull, name) = args.cull.cull();
+    let WorldAnswer { answer, space } = EyeWorld::new(&world, &cells)
+        .look(&query, cull)
+        .map_err(|error| Failure::file(&input.name, error))?;
+    let id = InputId::new(&input.file_name(), &input.bytes);
+    let graph = &cells.graph;
+    let mut report = answer.report(graph, id, eye, lens, (name, false));
+    let Some(mut space) = space else { return Ok(report) };
+    report.space = args.regions.then(|| space.report(graph));
+    if args.objects {
+        let seen = space.objects(&world.objects);
+        report.objects = Some(space.report_objects(graph, &world.objects, &seen));
+    }
+    Ok(report)
 }
 
 fn lens(args: &Args) -> Result<Option<Lens>, Failure> {

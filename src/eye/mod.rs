@@ -30,7 +30,9 @@ mod locate;
 pub mod propose;
 mod region;
 mod search;
+mod space;
 mod view;
+mod world;
 
 pub use cone::{Cone, primitive};
 pub use describe::Lens;
@@ -38,4 +40,6 @@ pub use frustum::{Frustum, FrustumError, half_tangent};
 pub use locate::LocateError;
 pub use region::Region;
 pub use search::{Answer, Cull, Query, Reached};
+pub use space::{SeenObject, SeenRegion, SeenSpace};
 pub use view::EyeGraph;
+pub use world::{EyeWorld, PlaceError, WorldAnswer};

@@ -8,7 +8,8 @@ mod stab;
 mod transversals;
 
 pub use eye::{
-    EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
+    EyeCell, EyeFrustum, EyeObject, EyeRegion, EyeReport, EyeSpace, EyeSpaceRegion,
+    Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
 pub use progress::{Progress, Silent};

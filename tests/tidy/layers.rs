@@ -17,7 +17,10 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("csg", &["num", "geom", "construct"]),
     ("report", &["num", "geom", "stab", "scene", "formats"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
-    ("eye", &["num", "geom", "predicates", "scene", "report"]),
+    (
+        "eye",
+        &["num", "geom", "predicates", "construct", "scene", "subdivision", "portal", "report"],
+    ),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
     (
