@@ -9,6 +9,7 @@ pub mod bsp;
 pub mod json;
 pub mod lines;
 pub mod map;
+pub mod mesh;
 pub mod npy;
 pub mod prt;
 pub mod sequence;
