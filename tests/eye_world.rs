@@ -230,26 +230,32 @@ impl Case<'_> {
 
 /// Calls `check` with eyes in many worlds.
 fn each_case(mut check: impl FnMut(&mut Random, &Case)) {
-    let count = std::env::var("STABLINE_WORLDS").ok().and_then(|n| n.parse().ok()).unwrap_or(24);
+    let count = std::env::var("STABLINE_WORLDS").ok().and_then(|n| n.parse().ok()).unwrap_or(20);
     for seed in 0..count {
         let mut random = Random::new(77_000 + seed);
         let world = random_world(&mut random);
         let Ok(cells) = cells_of_world(&world, &Options::default()) else { continue };
         let eyes = EyeWorld::new(&world, &cells);
-        for _ in 0..8 {
+        for _ in 0..6 {
             let eye = random_eye(&mut random, &cells);
             let frustum = random_frustum(&mut random);
             let at = RationalPoint3::from(&eye);
             let query = Query { eye: &at, frustum: frustum.as_ref(), cell: None, regions: true };
             let Ok(answer) = eyes.look(&query, Cull::Exact) else {
-                // Only solids hold eyes that no cell does, as all free space is asked about.
+                // All free space of the box is asked about.
                 let inside = |solid: &WorldSolid| {
                     solid.planes.iter().all(|plane| {
                         let offset = Rational::from(plane.offset.clone());
                         !(dot(&normal(plane), &eye) - offset).is_positive()
                     })
                 };
-                assert!(world.solids.iter().any(inside), "{seed}: {eye:?}");
+                let bounds = cells.subdivision.bounds.planes();
+                let out_of_box = bounds.into_iter().any(|side| {
+                    let side = cells.subdivision.planes.plane(side);
+                    let offset = Rational::from(side.offset.clone());
+                    (dot(&normal(side), &eye) - offset).is_positive()
+                });
+                assert!(out_of_box || world.solids.iter().any(inside), "{seed}: {eye:?}");
                 continue;
             };
             let name = format!("{seed}: {eye:?}");
@@ -282,7 +288,7 @@ fn a_point_is_in_a_region_iff_the_segment_to_it_is_free() {
         }
     });
     println!("{seen} points seen, {hidden} hidden, {touching} behind what is touched");
-    assert!(seen > 1500 && hidden > 1000 && touching * 20 < seen, "{seen} {hidden} {touching}");
+    assert!(seen > 600 && hidden > 600 && touching * 20 < seen, "{seen} {hidden} {touching}");
 }
 
 #[test]
@@ -312,20 +318,32 @@ fn objects_are_seen_iff_a_point_of_their_inside_is() {
             seen += 1;
         }
     });
-    assert!(seen > 100 && hidden > 100, "{seen} seen, {hidden} hidden");
+    assert!(seen > 60 && hidden > 60, "{seen} seen, {hidden} hidden");
+}
+
+/// Every edge is met once in each direction.
+fn assert_closed(polyhedron: &Polyhedron) {
+    let mut edges: Vec<[RationalPoint3; 2]> = Vec::new();
+    for points in polyhedron.faces().iter().map(Polygon::points) {
+        let next = points.iter().cycle().skip(1);
+        edges.extend(points.iter().zip(next).map(|(a, b)| [a.clone(), b.clone()]));
+    }
+    let back =
+        |[a, b]: &[RationalPoint3; 2]| edges.iter().filter(|[c, d]| (a, b) == (d, c)).count();
+    assert!(edges.iter().all(|edge| back(edge) == 1), "{edges:?}");
 }
 
 #[test]
-fn regions_are_inside_their_cells_and_directions_inside_regions() {
+fn regions_are_closed_and_inside_their_cells() {
     each_case(|_, case| {
-        let leaf = |cell: CellId| {
-            &case.cells.subdivision.leaf(case.cells.leaves[cell.0 as usize]).cell
-        };
+        let leaf =
+            |cell: CellId| &case.cells.subdivision.leaf(case.cells.leaves[cell.0 as usize]).cell;
         for region in &case.space().regions {
             let inner = region.polyhedron.inner_point().coordinates();
             assert!(holds(leaf(region.cell), &inner), "{}", case.name);
             assert!(region.polyhedron.volume() <= leaf(region.cell).volume());
             assert!(region.polyhedron.volume().is_positive());
+            assert_closed(&region.polyhedron);
         }
         let mut in_space: Vec<CellId> = case.space().regions.iter().map(|r| r.cell).collect();
         in_space.sort_unstable();
@@ -339,7 +357,7 @@ fn regions_are_inside_their_cells_and_directions_inside_regions() {
 fn six_frusta_around_the_axes_see_as_much_as_no_frustum() {
     let mut cases = 0;
     each_case(|_, case| {
-        if cases == 40 {
+        if cases == 12 {
             return;
         }
         let axes = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
@@ -353,7 +371,7 @@ fn six_frusta_around_the_axes_see_as_much_as_no_frustum() {
         assert_eq!(parts.into_iter().sum::<Rational>(), whole, "{}", case.name);
         cases += 1;
     });
-    assert_eq!(cases, 40);
+    assert_eq!(cases, 12);
 }
 
 #[test]
@@ -421,26 +439,6 @@ fn alone_in_a_convex_room_an_eye_sees_all_of_it() {
     let expected = ratio(9, 2) + ratio(3 * 7, 4) + ratio(4 * 3 * 4, 1);
     assert_eq!(look(at_wall(), Some(&frustum([1, 0, 0]))), expected);
     // Half of the pyramid along the wall: to y = 7/2 of height 2t, then 3; of width t.
-    let expected = ratio(9, 8) + ratio(3 * 7, 8);
+    let expected = ratio(9, 4) + ratio(3 * 7, 8);
     assert_eq!(look(at_wall(), Some(&frustum([0, 1, 0]))), expected);
-}
-
-#[test]
-fn faces_of_regions_close() {
-    each_case(|_, case| {
-        for region in &case.space().regions {
-            // Every edge is met once in each direction.
-            let mut edges: Vec<[RationalPoint3; 2]> = Vec::new();
-            for face in region.polyhedron.faces() {
-                let points = Polygon::points(face);
-                for (i, a) in points.iter().enumerate() {
-                    edges.push([a.clone(), points[(i + 1) % points.len()].clone()]);
-                }
-            }
-            let back = |[a, b]: &[RationalPoint3; 2]| {
-                edges.iter().filter(|[c, d]| (a, b) == (d, c)).count()
-            };
-            assert!(edges.iter().all(|edge| back(edge) == 1), "{}", case.name);
-        }
-    });
 }

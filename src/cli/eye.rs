@@ -3,15 +3,20 @@
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::world;
+use crate::construct::Polygon;
 use crate::eye::{
     Cull, EyeGraph, EyeWorld, Frustum, Lens, LocateError, Query, WorldAnswer, half_tangent,
 };
+use crate::formats::mesh::{self, MeshGroup};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, parse_decimal};
 use crate::report::{EyeReport, InputId};
-use crate::scene;
+use crate::scene::{self, CellId, PortalGraph, PortalId};
 use num_integer::Integer;
-use std::path::PathBuf;
+use num_traits::ToPrimitive;
+use std::io::{self, Write};
+use std::iter;
+use std::path::{Path, PathBuf};
 
 /// Compute what an eye sees: cells, the seen space or the seen parts of portals, objects
 #[derive(Debug, clap::Args)]
@@ -45,6 +50,12 @@ pub(super) struct Args {
     /// Give the detail objects of a level that are seen
     #[arg(long)]
     objects: bool,
+    /// Write what is seen as a binary glTF, one object a region, in the nearest single floats
+    #[arg(long, value_name = "OUT.glb")]
+    glb: Option<PathBuf>,
+    /// Write what is seen as an OBJ, one object a region
+    #[arg(long, value_name = "OUT.obj")]
+    obj: Option<PathBuf>,
     /// Print JSON (`stabline-eye/1`)
     #[arg(long)]
     json: bool,
@@ -73,21 +84,52 @@ impl Method {
     }
 }
 
+impl Args {
+    /// Whether what is seen is to be made out at all.
+    fn needs_regions(&self) -> bool {
+        self.regions || self.objects || self.glb.is_some() || self.obj.is_some()
+    }
+}
+
+/// A report, and what is seen.
+type Seen = (EyeReport, Vec<MeshGroup>);
+
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let eye = point(&numbers("--at", &args.at)?);
     let lens = lens(&args)?;
-    for (asked, option) in [(args.regions, "--regions"), (args.objects, "--objects")] {
-        if asked && args.cull != Method::Exact {
-            return Err(Failure::usage(format!("{option} needs the exact cull")));
-        }
+    if args.needs_regions() && args.cull != Method::Exact {
+        let message = "--regions, --objects, --glb and --obj need the exact cull";
+        return Err(Failure::usage(message));
     }
     let input = Input::read(&args.input)?;
-    let report = match world::is_world(&input) {
+    let (report, mesh) = match world::is_world(&input) {
         true => of_world(&args, &input, &eye, lens.as_ref())?,
         false => of_graph(&args, &input, &eye, lens.as_ref())?,
     };
+    if let Some(path) = &args.glb {
+        write_mesh(path, |out| mesh::write_glb(&mesh, out))?;
+    }
+    if let Some(path) = &args.obj {
+        write_mesh(path, |out| mesh::write_obj(&mesh, out))?;
+    }
     let text = if args.json { report.to_json() } else { report.to_text() };
     files::print(&text).map(|()| Exit::Done)
+}
+
+fn write_mesh(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<Rational>,
+) -> Result<(), Failure> {
+    let mut moved = Rational::default();
+    files::write(Some(path), |out| {
+        moved = write(out)?;
+        Ok(())
+    })?;
+    if moved != Rational::default() {
+        let about = moved.to_f64().unwrap_or(f64::INFINITY);
+        eprintln!("{}: coordinates moved by {about:.3e} at most", path.display());
+    }
+    Ok(())
 }
 
 fn of_graph(
@@ -95,14 +137,14 @@ fn of_graph(
     input: &Input,
     eye: &RationalPoint3,
     lens: Option<&Lens>,
-) -> Result<EyeReport, Failure> {
+) -> Result<Seen, Failure> {
     if args.objects {
         return Err(Failure::usage("--objects needs a level: a portal graph has none"));
     }
     let graph = scene::read_graph(&input.name, &input.bytes)?;
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
     let frustum = lens.map(|lens| &lens.frustum);
-    let query = Query { eye, frustum, cell, regions: args.regions };
+    let query = Query { eye, frustum, cell, regions: args.needs_regions() };
     let (cull, name) = args.cull.cull();
     let answer = EyeGraph::new(&graph).look(&query, cull).map_err(|error| match error {
         LocateError::Nowhere => Failure::file(&input.name, error),
@@ -110,7 +152,12 @@ fn of_graph(
         LocateError::NotInCell { .. } => Failure::usage(error),
     })?;
     let id = InputId::new(&input.file_name(), &input.bytes);
-    Ok(answer.report(&graph, id, eye, lens, (name, args.regions)))
+    let report = answer.report(&graph, id, eye, lens, (name, args.regions));
+    let groups = answer
+        .regions
+        .into_iter()
+        .map(|region| group(&graph, region.cell, &region.portals, vec![region.polygon]));
+    Ok((report, groups.collect()))
 }
 
 fn of_world(
@@ -118,14 +165,14 @@ fn of_world(
     input: &Input,
     eye: &RationalPoint3,
     lens: Option<&Lens>,
-) -> Result<EyeReport, Failure> {
+) -> Result<Seen, Failure> {
     if args.cell.is_some() {
         return Err(Failure::usage("--cell is for portal graphs: a level's tree places every eye"));
     }
     let world = world::read(input)?;
     let cells = world::cells(input, &world)?;
     let frustum = lens.map(|lens| &lens.frustum);
-    let query = Query { eye, frustum, cell: None, regions: args.regions || args.objects };
+    let query = Query { eye, frustum, cell: None, regions: args.needs_regions() };
     let (cull, name) = args.cull.cull();
     let WorldAnswer { answer, space } = EyeWorld::new(&world, &cells)
         .look(&query, cull)
@@ -133,13 +180,31 @@ fn of_world(
     let id = InputId::new(&input.file_name(), &input.bytes);
     let graph = &cells.graph;
     let mut report = answer.report(graph, id, eye, lens, (name, false));
-    let Some(mut space) = space else { return Ok(report) };
+    let Some(mut space) = space else { return Ok((report, Vec::new())) };
     report.space = args.regions.then(|| space.report(graph));
     if args.objects {
         let seen = space.objects(&world.objects);
         report.objects = Some(space.report_objects(graph, &world.objects, &seen));
     }
-    Ok(report)
+    let groups = space.regions.iter().map(|region| {
+        let faces = region.polyhedron.faces().iter().map(Polygon::points).collect();
+        group(graph, region.cell, &region.portals, faces)
+    });
+    Ok((report, groups.collect()))
+}
+
+/// What is seen of a cell through a sequence, by their names.
+fn group(
+    graph: &PortalGraph,
+    cell: CellId,
+    portals: &[PortalId],
+    polygons: Vec<Vec<RationalPoint3>>,
+) -> MeshGroup {
+    let mut name = graph.cells[cell.0 as usize].clone();
+    for (portal, word) in portals.iter().zip(iter::once(" through").chain(iter::repeat(""))) {
+        name.push_str(&format!("{word} {}", graph.portals[portal.0 as usize].source));
+    }
+    MeshGroup { name, polygons }
 }
 
 fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
