@@ -139,8 +139,9 @@ pub(super) fn search(
         }
     }
     let reached = found.best.into_iter().zip(0..).filter_map(|(best, cell)| {
-        let Best { portals, direction } = best?;
+        let Best { portals, cone } = best?;
         let portals = portals.iter().map(|&portal| PortalId(portal as u32)).collect();
+        let direction = cone.map(|cone| cone.interior());
         Some(Reached { cell: CellId(cell), portals, direction })
     });
     Answer {
@@ -155,7 +156,8 @@ pub(super) fn search(
 #[derive(Clone)]
 struct Best {
     portals: Vec<usize>,
-    direction: Option<[Int; 3]>,
+    /// Its directions, by the exact cull.
+    cone: Option<Cone>,
 }
 
 /// What was found so far.
@@ -165,19 +167,14 @@ struct Found {
 }
 
 impl Found {
-    /// Notes a sequence; the direction is made only for one that is better than what there is.
-    fn note(
-        &mut self,
-        cell: CellId,
-        portals: &[usize],
-        direction: impl FnOnce() -> Option<[Int; 3]>,
-    ) {
+    /// Notes a sequence, if it is better than what there is.
+    fn note(&mut self, cell: CellId, portals: &[usize], cone: Option<&Cone>) {
         self.sequences += u64::from(!portals.is_empty());
         let best = &mut self.best[cell.0 as usize];
         let is_better =
             |best: &Best| (portals.len(), portals) < (best.portals.len(), &best.portals[..]);
         if best.as_ref().is_none_or(is_better) {
-            *best = Some(Best { portals: portals.to_vec(), direction: direction() });
+            *best = Some(Best { portals: portals.to_vec(), cone: cone.cloned() });
         }
     }
 }
@@ -187,7 +184,7 @@ fn spread(view: &View, from: &[Start], found: &mut Found, passes: impl Fn(CellId
     let mut queue: VecDeque<(CellId, Vec<usize>)> =
         from.iter().map(|start| (start.cell, Vec::new())).collect();
     for start in from {
-        found.note(start.cell, &[], || None);
+        found.note(start.cell, &[], None);
     }
     while let Some((cell, portals)) = queue.pop_front() {
         for &portal in &view.graph.portals_of[cell.0 as usize] {
@@ -195,7 +192,7 @@ fn spread(view: &View, from: &[Start], found: &mut Found, passes: impl Fn(CellId
             if found.best[beyond.0 as usize].is_none() && passes(cell, portal) {
                 let mut portals = portals.clone();
                 portals.push(portal);
-                found.note(beyond, &portals, || None);
+                found.note(beyond, &portals, None);
                 queue.push_back((beyond, portals));
             }
         }
@@ -231,7 +228,7 @@ fn look_exactly(
 ) {
     // An eye on the cell's boundary may look away from it.
     let Some(start) = within(limits, frustum) else { return };
-    found.note(*cell, &[], || Some(start.interior()));
+    found.note(*cell, &[], Some(&start));
     let enter = |before: Option<(&Cone, usize)>, portal: usize| {
         let Some((cone, last)) = before else { return entered(view, limits, portal) };
         let mut cone = cone.clone();
@@ -240,13 +237,13 @@ fn look_exactly(
         seen.planes.iter().chain(&order).all(|plane| cone.clip(plane)).then_some(cone)
     };
     walk(view, *cell, enter, |cell, portals, cone: &Cone| {
-        found.note(cell, portals, || Some(cone.interior()));
+        found.note(cell, portals, Some(cone));
         each(cell, portals, cone);
     });
 }
 
 fn look_in_floats(view: &View, Start { cell, limits }: &Start, found: &mut Found) {
-    found.note(*cell, &[], || None);
+    found.note(*cell, &[], None);
     let enter = |before: Option<(&FloatCone, usize)>, portal: usize| {
         let seen = view.seen(portal);
         let Some((cone, _)) = before else {
@@ -256,7 +253,7 @@ fn look_in_floats(view: &View, Start { cell, limits }: &Start, found: &mut Found
         let mut cone = cone.clone();
         seen.planes.iter().all(|plane| cone.clip(plane.float())).then_some(cone)
     };
-    walk(view, *cell, enter, |cell, portals, _: &FloatCone| found.note(cell, portals, || None));
+    walk(view, *cell, enter, |cell, portals, _: &FloatCone| found.note(cell, portals, None));
 }
 
 /// One cell of a sequence that is being extended.
