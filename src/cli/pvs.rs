@@ -110,17 +110,19 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
-    for output in [&args.output, &args.npy, &args.stab_tree] {
+    for output in [&args.output, &args.npy, &args.stab_tree, &args.objects] {
         files::check_output(output.as_deref())?;
     }
     let input = Input::read(&args.input)?;
+    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
-        None => (world::read_graph(&input, args.world)?, None),
+        None => (world::read_graph(&input, &args.world, &watch)?, None),
         Some(_) => {
-            let (graph, objects) = objects::read(&input, args.world)?;
+            let (graph, objects) = objects::read(&input, &args.world, &watch)?;
             (graph, Some(objects))
         }
     };
+    drop(watch);
     let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;

@@ -14,7 +14,8 @@ mod transversals;
 pub use body::{BodyReport, BodyTreeReport, body_text};
 pub use bsp::{BspChecked, BspReport, BspStage, CellShape, CellsReport, PortalPolygon};
 pub use eye::{
-    EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
+    EyeCell, EyeFrustum, EyeObject, EyeRegion, EyeReport, EyeSpace, EyeSpaceRegion,
+    Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
 pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};

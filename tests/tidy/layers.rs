@@ -17,7 +17,10 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("subdivision", &["num", "geom", "predicates", "construct", "report"]),
     ("portal", &["num", "geom", "predicates", "construct", "scene", "report", "subdivision"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
-    ("eye", &["num", "geom", "predicates", "scene", "report"]),
+    (
+        "eye",
+        &["num", "geom", "predicates", "construct", "scene", "subdivision", "portal", "report"],
+    ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
     ("oracle", &["num", "geom"]),
