@@ -257,7 +257,7 @@ fn bad_geometry_is_named_with_its_place() {
         (
             "m.json",
             planes(", {\"normal\": [1,1,1]}"),
-            "m.json:2: column 155: a plane: expected `normal` and `offset`, or `points`",
+            "m.json:2: column 162: a plane: expected `normal` and `offset`, or `points`",
         ),
         ("n.json", brush("\"box\": [[0,0,0],[1,0,1]]"), "brushes[0]: the first corner of a box"),
         (

@@ -6,7 +6,7 @@ use crate::audit;
 use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{EyeReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{BspReport, CellsReport, EyeReport, PvsReport, StabReport, TransversalsReport};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -24,6 +24,8 @@ type Format = (&'static str, fn() -> Value);
 
 /// Every format.
 const SCHEMAS: &[Format] = &[
+    (BspReport::FORMAT, BspReport::schema),
+    (CellsReport::FORMAT, CellsReport::schema),
     ("stabline-check/1", audit::check::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
