@@ -110,16 +110,13 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
-    for output in [&args.output, &args.npy, &args.stab_tree] {
+    for output in [&args.output, &args.npy, &args.stab_tree, &args.objects] {
         files::check_output(output.as_deref())?;
     }
     let input = Input::read(&args.input)?;
     let (graph, objects) = match &args.objects {
         None => (world::read_graph(&input, args.world)?, None),
-        Some(_) => {
-            let (graph, objects) = objects::read(&input, args.world)?;
-            (graph, Some(objects))
-        }
+        Some(_) => objects::read(&input, args.world).map(|(graph, found)| (graph, Some(found)))?,
     };
     let header = part_header(&args, &input);
     clock.lap("read");

@@ -29,13 +29,13 @@ pub(super) struct Objects {
 pub(super) fn read(input: &Input, args: WorldArgs) -> Result<(PortalGraph, Objects), Failure> {
     if !world::is_world(input) {
         return Err(Failure::usage(format!(
-            "--objects: {} is a portal graph, which states no objects; expected a level's source",
+            "--objects: {} is a portal graph, which states no objects; expected a world",
             input.name
         )));
     }
     let stated = world::read(input, args)?;
-    let cells = world::cells(input, &stated)?;
-    let graph = Population::of(&stated.objects, &cells)
+    let mut cells = world::cells(input, &stated)?;
+    let graph = Population::of(&stated.objects, &mut cells)
         .graph(&stated.objects, &cells.graph)
         .map_err(|error| Failure::file(&input.name, error))?;
     Ok((cells.graph, Objects { stated: stated.objects, graph }))
