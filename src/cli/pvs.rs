@@ -114,10 +114,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         files::check_output(output.as_deref())?;
     }
     let input = Input::read(&args.input)?;
+    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
-        None => (world::read_graph(&input, args.world)?, None),
-        Some(_) => objects::read(&input, args.world).map(|(graph, found)| (graph, Some(found)))?,
+        None => (world::read_graph(&input, &args.world, &watch)?, None),
+        Some(_) => objects::read(&input, &args.world, &watch).map(|(a, b)| (a, Some(b)))?,
     };
+    drop(watch);
     let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;

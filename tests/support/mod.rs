@@ -3,7 +3,9 @@
 
 pub mod boxes;
 pub mod graphs;
+pub mod obstacles;
 pub mod witness;
+pub mod worlds;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

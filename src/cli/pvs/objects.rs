@@ -6,7 +6,9 @@ use super::super::world::{self, WorldArgs};
 use super::{Args, on_threads};
 use crate::portal::Population;
 use crate::pvs::{self, ObjectSight};
-use crate::report::{Matrix, ObjectEntry, ObjectWitness, ObjectsReport, PvsReport, Verdict};
+use crate::report::{
+    Matrix, ObjectEntry, ObjectWitness, ObjectsReport, Progress, PvsReport, Verdict,
+};
 use crate::scene::world::Object;
 use crate::scene::{ObjectGraph, PortalGraph};
 
@@ -26,15 +28,18 @@ pub(super) struct Objects {
 }
 
 /// The cells of a world, and the objects in them.
-pub(super) fn read(input: &Input, args: WorldArgs) -> Result<(PortalGraph, Objects), Failure> {
+pub(super) fn read(
+    input: &Input,
+    args: &WorldArgs,
+    progress: &dyn Progress,
+) -> Result<(PortalGraph, Objects), Failure> {
     if !world::is_world(input) {
         return Err(Failure::usage(format!(
             "--objects: {} is a portal graph, which states no objects; expected a world",
             input.name
         )));
     }
-    let stated = world::read(input, args)?;
-    let mut cells = world::cells(input, &stated)?;
+    let (stated, mut cells) = world::divided(input, args, progress)?;
     let graph = Population::of(&stated.objects, &mut cells)
         .graph(&stated.objects, &cells.graph)
         .map_err(|error| Failure::file(&input.name, error))?;
