@@ -314,14 +314,11 @@ fn objects_are_seen_iff_a_point_of_their_inside_is() {
                 continue;
             };
             let point = object.point.coordinates();
-            for axis in 0..3 {
-                assert!(bounds.low[axis] < point[axis] && point[axis] < bounds.high[axis]);
-            }
-            assert!(
-                holds(&sides(&space.regions[object.region].polyhedron), &point),
-                "{}",
-                case.name
-            );
+            let above = bounds.low.iter().zip(&point).all(|(low, c)| low < c);
+            let below = bounds.high.iter().zip(&point).all(|(high, c)| c < high);
+            assert!(above && below, "{}: object {index} at {point:?}", case.name);
+            let region = sides(&space.regions[object.region].polyhedron);
+            assert!(holds(&region, &point), "{}", case.name);
             assert!(way(case.world, &case.eye, &point) != Way::Stopped, "{}", case.name);
             assert!(in_frustum(case.frustum.as_ref(), &case.eye, &point), "{}", case.name);
             seen += 1;
