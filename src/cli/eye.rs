@@ -2,7 +2,7 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::world;
+use super::world::{self, WorldArgs};
 use crate::eye::{Cull, EyeGraph, Frustum, Lens, LocateError, Query, half_tangent};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, parse_decimal};
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// Compute what an eye sees through the portals: cells, and the seen parts of portals
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// Where the eye is: three decimals or ratios
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -39,6 +39,8 @@ pub(super) struct Args {
     /// Give the seen part of each sequence's last portal
     #[arg(long)]
     regions: bool,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON (`stabline-eye/1`)
     #[arg(long)]
     json: bool,
@@ -74,7 +76,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         return Err(Failure::usage("--regions needs the exact cull"));
     }
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let graph = world::read_graph(&input, args.world)?;
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
     let frustum = lens.as_ref().map(|lens| &lens.frustum);
     let query = Query { eye: &eye, frustum, cell, regions: args.regions };
@@ -109,7 +111,7 @@ fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
 }
 
 /// The `N` numbers of an option, read exactly.
-pub(super) fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
+fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
     let read = |part: &str| {
         parse_decimal(part.trim())
             .map_err(|error| Failure::usage(format!("{option}: `{part}`: {error}")))

@@ -7,12 +7,14 @@
 
 mod bsp;
 mod check;
+mod division;
 mod exit;
 mod export;
 mod eye;
 mod files;
 mod interrupt;
 mod motion;
+mod numbers;
 mod progress;
 mod pvs;
 mod schema;
@@ -41,7 +43,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 /// Every subcommand, in the order of `stabline --help`.
 #[derive(Debug, Subcommand)]
 enum Command {
-    Bsp(bsp::Args),
+    Bsp(Box<bsp::Args>),
     Check(check::Args),
     Export(export::Args),
     Eye(eye::Args),
@@ -56,7 +58,7 @@ enum Command {
 impl Command {
     fn run(self) -> Result<Exit, Failure> {
         match self {
-            Command::Bsp(args) => bsp::run(args),
+            Command::Bsp(args) => bsp::run(*args),
             Command::Check(args) => check::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),

@@ -1,10 +1,10 @@
 //! `stabline move`: how far a point or a box gets.
 
 use super::exit::{Exit, Failure};
-use super::eye::numbers;
 use super::files::{self, Input};
-use super::world;
-use crate::geom::{AxialBox, RationalPoint3};
+use super::numbers::{numbers, point};
+use super::world::{self, WorldArgs};
+use crate::geom::AxialBox;
 use crate::motion::{Move, MoveError, Space};
 use crate::num::Rational;
 use crate::report::InputId;
@@ -14,8 +14,10 @@ use std::path::PathBuf;
 /// Move a point or an axial box in a straight line, up to the first contact
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The world, as a level's source (`.map`)
+    /// The world: a level's source (`.map`), or geometry (JSON, `.obj`, glTF)
     input: PathBuf,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Where the point starts: three decimals or ratios
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     from: String,
@@ -31,9 +33,6 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let point = |option: &str, text: &str| {
-        numbers(option, text).map(|numbers| RationalPoint3::from(&numbers))
-    };
     let motion = Move {
         from: point("--from", &args.from)?,
         to: point("--to", &args.to)?,
@@ -41,10 +40,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     };
     let input = Input::read(&args.input)?;
     if !world::is_world(&input) {
-        let what = "a portal graph has no walls to meet, expected a world (`.map`)";
+        let what = "a portal graph has no walls to meet, expected a world";
         return Err(Failure::file(&input.name, what));
     }
-    let world = world::read(&input)?;
+    let world = world::read(&input, args.world)?;
     let cells = world::cells(&input, &world)?;
     let walk = Space::new(&world, &cells).first_contact(&motion);
     let walk = walk.map_err(|error| failure(&input, &world, &error))?;

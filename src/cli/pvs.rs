@@ -7,7 +7,7 @@ mod tree;
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
-use super::world;
+use super::world::{self, WorldArgs};
 use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
 use crate::report::{InputId, PvsReport};
 use crate::scene::{CellId, PortalGraph};
@@ -16,11 +16,11 @@ use std::path::PathBuf;
 
 /// Compute which cells see which, exactly, with a sightline for every open pair
 ///
-/// INPUT is a portal file (`.prt`), a JSON scene with cells and portals, or a level's source
-/// (`.map`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
+/// INPUT is a portal file (`.prt`), a JSON scene, a level's source (`.map`), or polygons (`.obj`,
+/// `.gltf`, `.glb`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// Write the result (`stabline-pvs/1`) to a file
     #[arg(short, long, value_name = "OUT.json")]
@@ -68,6 +68,8 @@ pub(super) struct Args {
     #[arg(long)]
     stats: bool,
     #[command(flatten)]
+    world: WorldArgs,
+    #[command(flatten)]
     progress: ProgressArgs,
 }
 
@@ -101,8 +103,11 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
+    for output in [&args.output, &args.npy, &args.stab_tree] {
+        files::check_output(output.as_deref())?;
+    }
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let graph = world::read_graph(&input, args.world)?;
     let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;

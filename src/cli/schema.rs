@@ -3,10 +3,12 @@
 use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
-use crate::formats::json::SceneFile;
+use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{EyeReport, MoveReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{
+    BspReport, CellsReport, EyeReport, MoveReport, PvsReport, StabReport, TransversalsReport,
+};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -24,12 +26,14 @@ type Format = (&'static str, fn() -> Value);
 
 /// Every format.
 const SCHEMAS: &[Format] = &[
+    (BspReport::FORMAT, BspReport::schema),
+    (CellsReport::FORMAT, CellsReport::schema),
     ("stabline-check/1", audit::check::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
     (MoveReport::FORMAT, MoveReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
-    ("stabline-scene/1", SceneFile::schema),
+    ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),
     ("stabline-stab/1", StabReport::schema),
     ("stabline-transversals/1", TransversalsReport::schema),

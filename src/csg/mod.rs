@@ -11,13 +11,22 @@
 //! function of the expression. Complexity: with n brushes, O(n) signs a cell and level of the tree.
 
 mod boundary;
+mod brush;
 mod expression;
+mod hull;
+mod input;
 #[cfg(test)]
 mod tests;
+mod turn;
 
-pub use expression::{Expression, Half, Transform, hull, prism, pyramid};
+pub use brush::{BrushError, cuboid, cylinder, prism, pyramid, sphere, wedge};
+pub use expression::{Expression, Half, Transform};
+pub use hull::hull;
+pub use input::{MAX_BRUSHES, MAX_DEPTH, NodeError, NodeRule, Placed};
 
-use crate::construct::{Bounds, Boxed, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError};
+use crate::construct::{
+    Bounds, Boxed, IntegerBox, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError,
+};
 use crate::num::{Int, Rational};
 use expression::{Flat, flatten};
 
@@ -96,8 +105,9 @@ pub fn evaluate(expression: &Expression) -> Result<Body, CsgError> {
             Err(SolidError::Unbounded) => return Err(CsgError::UnboundedBrush { brush }),
         });
     }
-    let bounds = Bounds::around(&mut planes, solids.iter().flatten(), &Int::from(1));
-    let bounds = bounds.ok_or(CsgError::NoBrush)?;
+    let boxes = solids.iter().flatten().map(|body| &body.around);
+    let around = IntegerBox::of_all(boxes, &Int::from(1)).ok_or(CsgError::NoBrush)?;
+    let bounds = Bounds::new(&mut planes, &around);
     // A brush without volume holds nothing.
     let known = solids.iter().map(|solid| solid.is_none().then_some(false)).collect();
     let flat = (0..solids.len()).filter(|&brush| solids[brush].is_none()).collect();

@@ -9,7 +9,7 @@ fn rational(value: i64) -> Rational {
 }
 
 fn cuboid(low: [i64; 3], high: [i64; 3]) -> Expression {
-    Expression::cuboid(&low.map(rational), &high.map(rational))
+    Expression::Brush(super::cuboid(&low.map(rational), &high.map(rational)).unwrap())
 }
 
 /// A brush on a small grid, where faces coincide and edges meet: a box, or the hull of points.
@@ -21,8 +21,7 @@ fn brush(random: &mut Random) -> Expression {
         }
         let points: Vec<_> =
             (0..5).map(|_| low.map(|c| rational(c + random.between(0, 4)))).collect();
-        let halves = hull(&points);
-        if halves.len() >= 4 {
+        if let Ok(halves) = hull(&points) {
             return Expression::Brush(halves);
         }
     }
@@ -147,6 +146,8 @@ fn what_is_unbounded_or_flat_is_named() {
     let half = Half { normal: [1, 0, 0].map(rational), offset: rational(1) };
     let open = Expression::Union(vec![unit(), Expression::Brush(vec![half])]);
     assert_eq!(evaluate(&open).unwrap_err(), CsgError::UnboundedBrush { brush: 1 });
-    let flat = Expression::Union(vec![unit(), cuboid([2; 3], [3, 3, 2])]);
+    let mut halves = super::cuboid(&[2; 3].map(rational), &[3; 3].map(rational)).unwrap();
+    halves.push(Half { normal: [0, 0, 1].map(rational), offset: rational(2) });
+    let flat = Expression::Union(vec![unit(), Expression::Brush(halves)]);
     assert_eq!(evaluate(&flat).unwrap().flat, [1]);
 }

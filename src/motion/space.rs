@@ -3,14 +3,12 @@
 use super::Obstacle;
 use super::body::{Body, plane_through, planes_of_box};
 use super::path::Path;
-use crate::construct::{Limits, PlaneId, PlaneSet};
+use crate::construct::{IntegerBox, Limits, PlaneId, PlaneSet};
 use crate::geom::vector::{cross, difference, dot};
 use crate::geom::{AxialBox, BigPlane, RationalPoint3};
-use crate::num::Int;
 use crate::portal::WorldCells;
 use crate::scene::{CellId, World};
 use crate::subdivision::{LeafId, Subdivision};
-use num_integer::Integer;
 
 /// A world and its cells, prepared for moves.
 ///
@@ -76,7 +74,7 @@ impl Gate {
 
 impl Space<'_> {
     /// Prepares a world and its cells, which must be those of
-    /// [`cells_of_world`](crate::portal::cells_of_world).
+    /// [`cells_of_world`](crate::portal::cells_of_world), with portals that are not hulls.
     pub fn new<'a>(world: &World, cells: &'a WorldCells) -> Space<'a> {
         let subdivision = &cells.subdivision;
         let mut planes = subdivision.planes.clone();
@@ -95,7 +93,7 @@ impl Space<'_> {
                 let solid = &subdivision.leaf(leaf).cell;
                 let faces: Vec<PlaneId> = solid.faces().iter().map(|f| f.support()).collect();
                 let points: Vec<_> = solid.faces().iter().flat_map(|f| f.points()).collect();
-                let around = Around::new(&points);
+                let around = IntegerBox::around(&points).expect("a cell has vertices");
                 let touched = bodies.iter().zip(0u32..);
                 let touched = touched.filter(|((_, other), _)| around.touches(other));
                 let mut near: Vec<u32> = touched.map(|(_, index)| index).collect();
@@ -129,7 +127,7 @@ impl Space<'_> {
 }
 
 /// The solids with volume and the polygons, each with its box.
-fn bodies(world: &World, planes: &mut PlaneSet) -> Vec<(Body, Around)> {
+fn bodies(world: &World, planes: &mut PlaneSet) -> Vec<(Body, IntegerBox)> {
     let interned: Vec<Vec<PlaneId>> = (world.solids.iter())
         .map(|solid| planes.intern_all(&solid.planes).expect("a divided world has normals"))
         .collect();
@@ -139,37 +137,13 @@ fn bodies(world: &World, planes: &mut PlaneSet) -> Vec<(Body, Around)> {
         // A solid without volume has no inside that could be entered.
         if let Ok(cut) = limits.cut_out(planes, half_spaces) {
             let body = Body::of_solid(planes, index, &cut.solid);
-            bodies.push((body, Around { low: cut.low, high: cut.high }));
+            bodies.push((body, cut.around));
         }
     }
     for (index, polygon) in world.polygons.iter().enumerate() {
         let body = Body::of_polygon(planes, index, &polygon.vertices);
-        bodies.push((body, Around::new(&polygon.vertices)));
+        let around = IntegerBox::around(&polygon.vertices).expect("a polygon has vertices");
+        bodies.push((body, around));
     }
     bodies
-}
-
-/// An integer box around something.
-struct Around {
-    low: [Int; 3],
-    high: [Int; 3],
-}
-
-impl Around {
-    /// The least one around one or more points.
-    fn new(points: &[RationalPoint3]) -> Around {
-        let floors =
-            |i: usize| points.iter().map(move |p| p.numerators()[i].div_floor(p.denominator()));
-        let ceilings =
-            |i: usize| points.iter().map(move |p| p.numerators()[i].div_ceil(p.denominator()));
-        Around {
-            low: [0, 1, 2].map(|i| floors(i).min().expect("there is a point")),
-            high: [0, 1, 2].map(|i| ceilings(i).max().expect("there is a point")),
-        }
-    }
-
-    /// Whether the closed boxes have a point in common.
-    fn touches(&self, other: &Around) -> bool {
-        (0..3).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
-    }
 }

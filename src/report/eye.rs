@@ -111,6 +111,12 @@ impl From<&Rational> for Ratio {
     }
 }
 
+impl std::fmt::Display for Ratio {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 impl From<&Int> for Integer {
     fn from(value: &Int) -> Integer {
         match value.to_i64() {

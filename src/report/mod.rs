@@ -1,5 +1,6 @@
 //! Results: their types, their canonical text, and the sink that searches report progress to.
 
+mod bsp;
 mod eye;
 mod matrix;
 mod motion;
@@ -8,6 +9,7 @@ mod pvs;
 mod stab;
 mod transversals;
 
+pub use bsp::{BspChecked, BspReport, BspStage, CellShape, CellsReport, PortalPolygon};
 pub use eye::{
     EyeCell, EyeFrustum, EyeRegion, EyeReport, Integer as EyeInteger, Ratio as EyeRatio,
 };
