@@ -65,7 +65,9 @@ fn a_point_gets_as_far_as_its_twin() {
     let (mut free, mut stopped, mut at_once, mut buried) = (0, 0, 0, 0);
     for seed in 1..50 {
         let random = &mut Random::new(seed);
-        let world = random_world(random, 7);
+        let mut world = random_world(random, 6);
+        world.polygons = (0..seed % 3).map(|_| random_polygon(random)).collect();
+        let polygons: Vec<_> = world.polygons.iter().map(|p| p.vertices.clone()).collect();
         let cells = cells_of_world(&world, &tight()).unwrap();
         let space = Space::new(&world, &cells);
         let mut solids = planes(&world);
@@ -73,7 +75,7 @@ fn a_point_gets_as_far_as_its_twin() {
         for _ in 0..60 {
             let from = place(random);
             let motion = Move { to: target(random, &from), from, body: None };
-            let twin = first_contact(&solids, &[], &motion.from, &motion.to);
+            let twin = first_contact(&solids, &polygons, &motion.from, &motion.to);
             match space.first_contact(&motion) {
                 Ok(walk) => {
                     assert_eq!(Some(&walk.time), twin.as_ref(), "seed {seed}: {motion:?}");

@@ -112,7 +112,7 @@ pub enum MoveError {
     })]
     Nowhere {
         /// Where it is.
-        point: RationalPoint3,
+        point: Box<RationalPoint3>,
         /// The first solid that contains it, where one does.
         solid: Option<Obstacle>,
     },

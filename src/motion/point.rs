@@ -53,7 +53,10 @@ impl Space<'_> {
     ) -> Result<Vec<Entry>, MoveError> {
         let start = self.locate(from);
         if start.is_empty() {
-            return Err(MoveError::Nowhere { point: from.clone(), solid: self.solid_at(from) });
+            return Err(MoveError::Nowhere {
+                point: Box::new(from.clone()),
+                solid: self.solid_at(from),
+            });
         }
         let mut queue: BinaryHeap<_> =
             start.into_iter().map(|cell| Reverse((Moment::start(), cell))).collect();

@@ -100,10 +100,11 @@ fn meet(rows: [&Row; 4]) -> Option<Vertex> {
     for k in 0..4 {
         let pivot = (k..4).find(|&i| !m[i][k].is_zero())?;
         m.swap(k, pivot);
-        for i in (0..4).filter(|&i| i != k) {
-            let (p, q) = (m[k][k].clone(), m[i][k].clone());
-            for j in 0..5 {
-                m[i][j] = (&m[i][j] * &p - &m[k][j] * &q) / &last;
+        let row = m[k].clone();
+        for (_, other) in m.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = other[k].clone();
+            for (entry, of_row) in other.iter_mut().zip(&row) {
+                *entry = (&*entry * &row[k] - of_row * &factor) / &last;
             }
         }
         last = m[k][k].clone();
