@@ -153,7 +153,7 @@ fn errors_name_the_element_and_the_rule() {
     for (from, to, expected) in [
         (r#""count": 3,"#, r#""count": 4,"#, "accessors[0]: 36 bytes are there, expected 48"),
         (r#""count": 3}"#, r#""count": 4}"#, "accessors[1]: 3 bytes are there, expected 4"),
-        (r#""byteLength": 36"#, r#""byteLength": 99"#, "bufferViews[0]: 39 bytes are there"),
+        (r#""byteLength": 36"#, r#""byteLength": 99"#, "bufferViews[0]: 40 bytes are there"),
         ("VEC3", "VEC2", "accessors[0]: positions that are not three 32-bit floats"),
         ("5121", "5126", "accessors[1]: indices that are not unsigned integers"),
         (r#""indices": 1"#, r#""indices": 7"#, "meshes[0].primitives[0].indices: "),
