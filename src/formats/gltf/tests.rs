@@ -160,7 +160,7 @@ fn errors_name_the_element_and_the_rule() {
         (r#"{"nodes": [0]}"#, "", "scenes: the file has no scene"),
         (r#"[{"mesh": 0}]"#, r#"[{"mesh": 0, "children": [0]}]"#, "nodes[0]: the node has two"),
         (r#"{"mesh": 0}"#, r#"{"mesh": 0, "rotation": [0,0,0,0]}"#, "nodes[0]: the rotation's"),
-        ("AAAAA", "////", "coordinate"),
+        ("AAAAAA", "/////w", "accessors[0]: coordinate 0 of element 0"),
         (";base64", "", "buffers[0]: the buffer's bytes are not at hand: its data URI is not"),
     ] {
         assert!(text.contains(from), "{from}");
