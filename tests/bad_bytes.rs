@@ -4,7 +4,7 @@
 mod support;
 
 use proptest::prelude::*;
-use stabline::formats::bsp::{BitMatrix, Visibility, write_visibility};
+use stabline::formats::bsp::{BitMatrix, LevelTree, Visibility, write_visibility};
 use stabline::formats::json::{GeometryFile, SceneFile};
 use stabline::formats::npy::NpyMatrix;
 use stabline::formats::{gltf, obj, prt};
@@ -92,6 +92,7 @@ fn parse(bytes: &[u8]) {
     }
     let _ = PvsReport::read(bytes);
     let _ = NpyMatrix::read(bytes);
+    let _ = LevelTree::read(bytes);
     if let Ok(read) = Visibility::read(bytes) {
         assert!(read.rows_missing <= read.matrix.size());
         // What can be read can be replaced, or is refused; it is never another matrix.

@@ -11,7 +11,7 @@ use stabline::portal::cells_of_world;
 use stabline::scene::{LevelOptions, World, read_level};
 use stabline::subdivision::Options;
 use std::time::Instant;
-use support::worlds::{end_of_world, point, polygon_planes, random_polygon, random_world};
+use support::obstacles::{end_of_world, point, polygon_planes, random_polygon, random_world};
 
 /// So tight a box around the solids that moves often leave it.
 fn tight() -> Options {

@@ -2,7 +2,6 @@
 
 mod show;
 
-use super::division::DivisionArgs;
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::numbers::point;
@@ -56,20 +55,18 @@ pub(super) struct Args {
     json: bool,
     #[command(flatten)]
     progress: ProgressArgs,
-    #[command(flatten)]
-    division: DivisionArgs,
 }
 
 /// How many random points `--check` locates.
 const SAMPLES: usize = 200;
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let options = args.division.options()?;
+    let options = args.world.division.options()?;
     let eye = args.painter.as_ref().map(|text| point("--painter", text)).transpose()?;
     let input = Input::read(&args.input)?;
     let stopwatch = Stopwatch::new(args.progress.reporter());
     stopwatch.begin("read", 0);
-    let (world, warnings) = world::read_all(&input, args.world)?;
+    let (world, warnings) = world::read_all(&input, &args.world)?;
     for warning in &warnings {
         eprintln!("{}: {warning}", input.name);
     }
@@ -91,7 +88,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let stages = stopwatch.stages().into_iter();
     let stages = stages.map(|(stage, microseconds)| BspStage { stage, microseconds });
     let mut report = summary(&input, &world, &cells, warnings);
-    report.portal_shape = args.division.shape().1;
+    report.portal_shape = args.world.division.shape().1;
     report.conservative = options.portals == PortalShape::Hull;
     report.checked = checked;
     report.stages = if args.stats { stages.collect() } else { Vec::new() };

@@ -7,6 +7,7 @@
 
 mod bsp;
 mod check;
+mod csg;
 mod division;
 mod exit;
 mod export;
@@ -45,6 +46,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 enum Command {
     Bsp(Box<bsp::Args>),
     Check(check::Args),
+    Csg(csg::Args),
     Export(export::Args),
     Eye(eye::Args),
     Move(motion::Args),
@@ -60,6 +62,7 @@ impl Command {
         match self {
             Command::Bsp(args) => bsp::run(*args),
             Command::Check(args) => check::run(args),
+            Command::Csg(args) => csg::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
             Command::Move(args) => motion::run(args),

@@ -7,14 +7,14 @@ use super::world::{self, WorldArgs};
 use crate::geom::AxialBox;
 use crate::motion::{Move, MoveError, Space};
 use crate::num::Rational;
-use crate::report::InputId;
+use crate::report::{InputId, Silent};
 use crate::scene::World;
 use std::path::PathBuf;
 
 /// Move a point or an axial box in a straight line, up to the first contact
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The world: a level's source (`.map`), or geometry (JSON, `.obj`, glTF)
+    /// The world, as a level's source (`.map`)
     input: PathBuf,
     #[command(flatten)]
     world: WorldArgs,
@@ -40,11 +40,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     };
     let input = Input::read(&args.input)?;
     if !world::is_world(&input) {
-        let what = "a portal graph has no walls to meet, expected a world";
+        let what = "a portal graph has no walls to meet, expected a world (`.map`)";
         return Err(Failure::file(&input.name, what));
     }
-    let world = world::read(&input, args.world)?;
-    let cells = world::cells(&input, &world)?;
+    let (world, cells) = world::divided(&input, &args.world, &Silent)?;
     let walk = Space::new(&world, &cells).first_contact(&motion);
     let walk = walk.map_err(|error| failure(&input, &world, &error))?;
     let id = InputId::new(&input.file_name(), &input.bytes);

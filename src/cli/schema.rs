@@ -3,11 +3,13 @@
 use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
+use crate::formats::csg::CsgFile;
 use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::report::{
-    BspReport, CellsReport, EyeReport, MoveReport, PvsReport, StabReport, TransversalsReport,
+    BodyReport, BodyTreeReport, BspReport, CellsReport, EyeReport, MoveReport, ObjectsReport,
+    PvsReport, StabReport, TransversalsReport,
 };
 use serde_json::Value;
 
@@ -26,12 +28,16 @@ type Format = (&'static str, fn() -> Value);
 
 /// Every format.
 const SCHEMAS: &[Format] = &[
+    (BodyReport::FORMAT, BodyReport::schema),
     (BspReport::FORMAT, BspReport::schema),
     (CellsReport::FORMAT, CellsReport::schema),
     ("stabline-check/1", audit::check::schema),
+    ("stabline-csg/1", CsgFile::schema),
+    (BodyTreeReport::FORMAT, BodyTreeReport::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
     (MoveReport::FORMAT, MoveReport::schema),
+    ("stabline-objects/1", ObjectsReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),

@@ -31,10 +31,10 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input, args.world)?;
+    let watch = Watch::new(args.progress.reporter(), None);
+    let graph = world::read_graph(&input, &args.world, &watch)?;
     let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));
     let (from, to) = (from?, to?);
-    let watch = Watch::new(args.progress.reporter(), None);
     let Some(explanation) = pvs::explain(&graph, from, to, &watch) else {
         return Ok(Exit::Interrupted);
     };

@@ -1,9 +1,7 @@
 //! Expressions of brushes: their operators, affine maps.
 
-use crate::geom::BigPlane;
 use crate::geom::vector::{cross, determinant, dot};
 use crate::num::{Int, Rational, Sign};
-use num_integer::Integer;
 use num_traits::Zero;
 
 /// A half-space `normal · x <= offset` with rational coefficients.
@@ -37,20 +35,6 @@ pub enum Expression {
     Difference(Box<Expression>, Vec<Expression>),
     /// What is not in it.
     Complement(Box<Expression>),
-}
-
-/// An expression over brushes by number.
-pub(super) enum Formula {
-    Brush(usize),
-    Any(Vec<Formula>),
-    All(Vec<Formula>),
-    Not(Box<Formula>),
-}
-
-/// An expression's brushes with integer planes, and the expression over them.
-pub(super) struct Flat {
-    pub brushes: Vec<Vec<BigPlane>>,
-    pub formula: Formula,
 }
 
 impl Transform {
@@ -117,61 +101,4 @@ impl Expression {
             Expression::Complement(of) => Expression::Complement(Box::new(of.transformed(map))),
         }
     }
-}
-
-pub(super) fn flatten(expression: &Expression) -> Flat {
-    let mut brushes = Vec::new();
-    let formula = numbered(expression, &mut brushes);
-    Flat { brushes, formula }
-}
-
-fn numbered(expression: &Expression, brushes: &mut Vec<Vec<BigPlane>>) -> Formula {
-    match expression {
-        Expression::Brush(halves) => {
-            brushes.push(halves.iter().map(integer_plane).collect());
-            Formula::Brush(brushes.len() - 1)
-        }
-        Expression::Union(of) => Formula::Any(of.iter().map(|e| numbered(e, brushes)).collect()),
-        Expression::Intersection(of) => {
-            Formula::All(of.iter().map(|e| numbered(e, brushes)).collect())
-        }
-        Expression::Difference(from, of) => {
-            let from = numbered(from, brushes);
-            let of = Formula::Any(of.iter().map(|e| numbered(e, brushes)).collect());
-            Formula::All(vec![from, Formula::Not(Box::new(of))])
-        }
-        Expression::Complement(of) => Formula::Not(Box::new(numbered(of, brushes))),
-    }
-}
-
-fn integer_plane(half: &Half) -> BigPlane {
-    let all = || half.normal.iter().chain([&half.offset]);
-    let scale = all().fold(Int::from(1), |lcm, c| lcm.lcm(c.denom()));
-    let whole = |c: &Rational| (c * &scale).to_integer();
-    BigPlane { normal: half.normal.each_ref().map(whole), offset: whole(&half.offset) }
-}
-
-impl Formula {
-    /// The value where some brushes are known to hold or not; `None` where the others matter.
-    pub(super) fn value(&self, known: &[Option<bool>]) -> Option<bool> {
-        match self {
-            Formula::Brush(brush) => known[*brush],
-            Formula::Any(of) => fold(of, known, true),
-            Formula::All(of) => fold(of, known, false),
-            Formula::Not(of) => of.value(known).map(|value| !value),
-        }
-    }
-}
-
-/// `decisive` if one of them is that; its opposite if all are; else unknown.
-fn fold(of: &[Formula], known: &[Option<bool>], decisive: bool) -> Option<bool> {
-    let mut all_known = true;
-    for formula in of {
-        match formula.value(known) {
-            Some(value) if value == decisive => return Some(decisive),
-            Some(_) => {}
-            None => all_known = false,
-        }
-    }
-    all_known.then_some(!decisive)
 }

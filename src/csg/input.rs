@@ -66,7 +66,7 @@ pub enum NodeRule {
 pub const MAX_DEPTH: usize = 512;
 
 /// How many brushes an expression may have, with definitions put in where they are used.
-pub const MAX_BRUSHES: usize = 1_000_000;
+pub const MAX_BRUSHES: usize = 100_000;
 
 impl TryFrom<&Node> for Expression {
     type Error = NodeError;
@@ -115,8 +115,13 @@ struct Reader {
 }
 
 impl Reader {
+    /// The path; of a long one the beginning.
     fn place(&self) -> String {
-        self.path.join(".")
+        const LONG: usize = 32;
+        match self.path.len() {
+            0..=LONG => self.path.join("."),
+            _ => format!("{}…", self.path[..LONG].join(".")),
+        }
     }
 
     /// A node under a map, with the definitions that it may use.

@@ -52,11 +52,12 @@ fn in_first_eighth(k: u64, n: u64) -> (Rational, Rational) {
         term = ((term * &angle) >> DIGITS) / i;
     }
     let [cosine, sine] = sums.map(|sum| Rational::new(sum, one()));
-    // The only rational ones (Niven): none, and a twelfth's sine.
-    match 12 * k == n {
-        true => (cosine, Rational::new(Int::one(), Int::from(2))),
-        false => (cosine, sine),
+    if 12 * k == n {
+        // The only rational one (Niven) but for those of no angle, which the series has exactly.
+        return (cosine, Rational::new(Int::one(), Int::from(2)));
     }
+    // At an eighth they are equal.
+    if 8 * k == n { (cosine.clone(), cosine) } else { (cosine, sine) }
 }
 
 #[cfg(test)]

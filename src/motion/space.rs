@@ -74,7 +74,7 @@ impl Gate {
 
 impl Space<'_> {
     /// Prepares a world and its cells, which must be those of
-    /// [`cells_of_world`](crate::portal::cells_of_world), with portals that are not hulls.
+    /// [`cells_of_world`](crate::portal::cells_of_world).
     pub fn new<'a>(world: &World, cells: &'a WorldCells) -> Space<'a> {
         let subdivision = &cells.subdivision;
         let mut planes = subdivision.planes.clone();
@@ -93,7 +93,7 @@ impl Space<'_> {
                 let solid = &subdivision.leaf(leaf).cell;
                 let faces: Vec<PlaneId> = solid.faces().iter().map(|f| f.support()).collect();
                 let points: Vec<_> = solid.faces().iter().flat_map(|f| f.points()).collect();
-                let around = IntegerBox::around(&points).expect("a cell has vertices");
+                let around = IntegerBox::around(&points).expect("a leaf has vertices");
                 let touched = bodies.iter().zip(0u32..);
                 let touched = touched.filter(|((_, other), _)| around.touches(other));
                 let mut near: Vec<u32> = touched.map(|(_, index)| index).collect();

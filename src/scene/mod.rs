@@ -9,6 +9,7 @@ mod build;
 mod graph;
 mod input;
 pub mod level;
+mod objects;
 mod order;
 mod polygon;
 #[cfg(test)]
@@ -19,5 +20,6 @@ pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
 pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs, SmallGrid};
 pub use input::{InputError, InputErrorKind, read_graph};
 pub use level::{Level, LevelOptions, read_level};
+pub use objects::ObjectGraph;
 pub use order::CellOrder;
 pub use world::{World, WorldOptions, read_world};

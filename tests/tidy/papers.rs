@@ -43,7 +43,7 @@ pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> 
     let mut wrong = Vec::new();
     for path in snapshots {
         let scene = PathBuf::from(path.replacen("snapshots/", "scenes/", 1));
-        let of = |ending| normal(&scene.with_extension(ending));
+        let of = |ending: &str| normal(&scene.with_extension(ending));
         if path.ends_with(".new") {
             wrong.push(format!("{path}: review it (`cargo insta review`)"));
         } else if !SCENE_ENDINGS.iter().any(|ending| exists(&of(ending))) {

@@ -16,7 +16,7 @@ use crate::formats::map::MapBrush;
 use crate::geom::vector::{cross, dot};
 use crate::geom::{BigPlane, BigPoint3};
 use crate::num::{Int, Number, Rational, Sign};
-use crate::predicates::vertex_side_of_plane_big;
+use crate::predicates::{Vertex, VertexPlane, side_of_vertex};
 use num_integer::Integer;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
@@ -103,6 +103,7 @@ pub(in crate::scene) fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSo
     let mut edges: Vec<Option<usize>> = vec![None; planes.len()];
     let mut holds_face = vec![false; planes.len()];
     let mut crossing = false;
+    let sides: Vec<VertexPlane> = planes.iter().map(|p| VertexPlane::new((*p).clone())).collect();
     for i in 0..planes.len() {
         for j in i + 1..planes.len() {
             let direction = cross(&planes[i].normal, &planes[j].normal);
@@ -110,7 +111,7 @@ pub(in crate::scene) fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSo
                 continue;
             }
             crossing = true;
-            match interval(planes, [i, j], &direction) {
+            match interval(planes, &sides, [i, j], &direction) {
                 Interval::Point | Interval::Empty => {}
                 Interval::Endless => return Err(NoSolid::Open),
                 Interval::Edge => {
@@ -142,11 +143,18 @@ enum Interval {
 }
 
 /// What is left of the line of `planes[i]` and `planes[j]`, which runs in `direction`.
-fn interval(planes: &[&BigPlane], [i, j]: [usize; 2], direction: &[Int; 3]) -> Interval {
+fn interval(
+    planes: &[&BigPlane],
+    sides: &[VertexPlane],
+    [i, j]: [usize; 2],
+    direction: &[Int; 3],
+) -> Interval {
     let (mut low, mut high): (Option<usize>, Option<usize>) = (None, None);
     let side = |end: usize, k: usize| {
-        let side = vertex_side_of_plane_big([planes[i], planes[j], planes[end]], planes[k]);
-        side.unwrap_or_else(|| unreachable!("an end is where a plane crosses the line"))
+        let vertex = Vertex::meet([&sides[i], &sides[j], &sides[end]]);
+        let vertex =
+            vertex.unwrap_or_else(|| unreachable!("an end is where a plane crosses the line"));
+        side_of_vertex(&sides[k], &vertex)
     };
     let mut parallel = Vec::new();
     for k in (0..planes.len()).filter(|&k| k != i && k != j) {

@@ -35,6 +35,9 @@ pub enum StatementErrorKind {
     /// Nothing that occludes.
     #[error("nothing occludes, expected polygons or solids")]
     Nothing,
+    /// Nothing marks the inside, though something is to.
+    #[error("expected one point or more; without the field all empty space is asked about")]
+    NoMark,
     /// A name that something else has.
     #[error("`{}` is the name of {first} too", .name.escape_debug())]
     NameTwice {
@@ -124,6 +127,7 @@ pub(super) fn world_of(
     };
     let inside = match &file.inside {
         None => Inside::Everywhere,
+        Some(marks) if marks.is_empty() => return Err(error("inside", StatementErrorKind::NoMark)),
         Some(marks) => Inside::Reached(
             marks.iter().enumerate().map(|(index, at)| reader.mark(index, at)).collect(),
         ),
