@@ -209,19 +209,37 @@ fn geometry(fields: &str) -> Vec<u8> {
     format!("{{\"about\": \"x\", \"format\": \"stabline-scene/1\",\n{fields}}}").into_bytes()
 }
 
-#[test]
-fn bad_geometry_is_named_with_its_place() {
+/// What is wrong with each input is told by `bsp` and by `pvs`, and no output is left.
+fn assert_refused(cases: &[(&str, Vec<u8>, &str)]) {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let polygon =
-        |vertices: &str| geometry(&format!("\"polygons\": [{{\"polygon\": {vertices}}}]"));
-    let brush = |shape: &str| geometry(&format!("\"brushes\": [{{\"name\": \"b\", {shape}}}]"));
-    let planes = |more: &str| {
-        let three = "{\"normal\": [-1,0,0], \"offset\": 0}, {\"normal\": [0,-1,0], \"offset\": 0}, \
-                     {\"normal\": [0,0,-1], \"offset\": 0}";
-        brush(&format!("\"planes\": [{three}{more}]"))
-    };
-    let cases: Vec<(&str, Vec<u8>, &str)> = vec![
+    for (name, bytes, expected) in cases {
+        fs::write(at.join(name), bytes).unwrap();
+        let run = stabline(at, &["bsp", name, "--prt", "out.prt", "--pts", "out.pts"]);
+        assert_fails(&run, 3, expected);
+        assert_fails(&stabline(at, &["pvs", name, "-o", "out.json"]), 3, expected);
+    }
+    assert_eq!(names(at).len(), cases.len());
+}
+
+fn polygon(vertices: &str) -> Vec<u8> {
+    geometry(&format!("\"polygons\": [{{\"polygon\": {vertices}}}]"))
+}
+
+fn brush(shape: &str) -> Vec<u8> {
+    geometry(&format!("\"brushes\": [{{\"name\": \"b\", {shape}}}]"))
+}
+
+/// A brush of three planes through the origin, and more.
+fn planes(more: &str) -> Vec<u8> {
+    let three = "{\"normal\": [-1,0,0], \"offset\": 0}, {\"normal\": [0,-1,0], \"offset\": 0}, \
+                 {\"normal\": [0,0,-1], \"offset\": 0}";
+    brush(&format!("\"planes\": [{three}{more}]"))
+}
+
+#[test]
+fn bad_polygons_and_brushes_are_named_with_their_place() {
+    assert_refused(&[
         ("a.json", geometry("\"polygons\": ["), "a.json:2: column"),
         ("b.json", polygon("[[0,0,NaN],[1,0,0],[0,1,0]]"), "b.json:2: column"),
         ("c.json", polygon("[[0,0,\"nan\"],[1,0,0],[0,1,0]]"), "coordinate `nan`: not a decimal"),
@@ -254,10 +272,16 @@ fn bad_geometry_is_named_with_its_place() {
             planes(", {\"points\": [[0,0,0],[1,1,1],[3,3,3]]}"),
             "brushes[0]: plane 3: its three points are on one line",
         ),
+    ]);
+}
+
+#[test]
+fn bad_scenes_of_geometry_are_named_with_their_place() {
+    assert_refused(&[
         (
             "m.json",
             planes(", {\"normal\": [1,1,1]}"),
-            "m.json:2: column 155: a plane: expected `normal` and `offset`, or `points`",
+            "m.json:2: column 162: a plane: expected `normal` and `offset`, or `points`",
         ),
         ("n.json", brush("\"box\": [[0,0,0],[1,0,1]]"), "brushes[0]: the first corner of a box"),
         (
@@ -297,6 +321,12 @@ fn bad_geometry_is_named_with_its_place() {
             geometry("\"brushes\": [{\"box\": [[0,0,0],[1,1,1]]}], \"view\": [[0,0,0],[1,1,0]]"),
             "w.json: view: the first corner of a box",
         ),
+    ]);
+}
+
+#[test]
+fn bad_soup_is_named_with_its_place() {
+    assert_refused(&[
         (
             "a.obj",
             b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(),
@@ -325,14 +355,7 @@ fn bad_geometry_is_named_with_its_place() {
             "`../secret.bin` is not a file in the folder of the input",
         ),
         ("f.gltf", beside("none.bin"), "f.gltf: buffers[0]: the buffer's bytes are not at hand"),
-    ];
-    for (name, bytes, expected) in &cases {
-        fs::write(at.join(name), bytes).unwrap();
-        let run = stabline(at, &["bsp", name, "--prt", "out.prt", "--pts", "out.pts"]);
-        assert_fails(&run, 3, expected);
-        assert_fails(&stabline(at, &["pvs", name, "-o", "out.json"]), 3, expected);
-    }
-    assert_eq!(names(at).len(), cases.len());
+    ]);
 }
 
 fn glb() -> Vec<u8> {

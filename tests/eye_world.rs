@@ -234,7 +234,7 @@ impl Case<'_> {
 
 /// Calls `check` with eyes in many worlds.
 fn each_case(mut check: impl FnMut(&mut Random, &Case)) {
-    let count = std::env::var("STABLINE_WORLDS").ok().and_then(|n| n.parse().ok()).unwrap_or(20);
+    let count = std::env::var("STABLINE_WORLDS").ok().and_then(|n| n.parse().ok()).unwrap_or(12);
     for seed in 0..count {
         let mut random = Random::new(77_000 + seed);
         let world = random_world(&mut random);
@@ -274,7 +274,7 @@ fn a_point_is_in_a_region_iff_the_segment_to_it_is_free() {
     let (mut seen, mut hidden, mut touching) = (0, 0, 0);
     each_case(|random, case| {
         let regions: Vec<_> = case.space().regions.iter().map(|r| sides(&r.polyhedron)).collect();
-        for _ in 0..40 {
+        for _ in 0..30 {
             let reach = [integers([-REACH - 3; 3]), integers([REACH + 3; 3])];
             let point = random_point(random, &reach[0], &reach[1]);
             let regions = regions.iter().filter(|region| holds(region, &point)).count();
@@ -293,7 +293,7 @@ fn a_point_is_in_a_region_iff_the_segment_to_it_is_free() {
         }
     });
     println!("{seen} points seen, {hidden} hidden, {touching} behind what is touched");
-    assert!(seen > 600 && hidden > 200 && touching * 20 < seen, "{seen} {hidden} {touching}");
+    assert!(seen > 600 && hidden > 100 && touching * 20 < seen, "{seen} {hidden} {touching}");
 }
 
 #[test]
@@ -314,20 +314,17 @@ fn objects_are_seen_iff_a_point_of_their_inside_is() {
                 continue;
             };
             let point = object.point.coordinates();
-            for axis in 0..3 {
-                assert!(bounds.low[axis] < point[axis] && point[axis] < bounds.high[axis]);
-            }
-            assert!(
-                holds(&sides(&space.regions[object.region].polyhedron), &point),
-                "{}",
-                case.name
-            );
+            let above = bounds.low.iter().zip(&point).all(|(low, c)| low < c);
+            let below = bounds.high.iter().zip(&point).all(|(high, c)| c < high);
+            assert!(above && below, "{}: object {index} at {point:?}", case.name);
+            let region = sides(&space.regions[object.region].polyhedron);
+            assert!(holds(&region, &point), "{}", case.name);
             assert!(way(case.world, &case.eye, &point) != Way::Stopped, "{}", case.name);
             assert!(in_frustum(case.frustum.as_ref(), &case.eye, &point), "{}", case.name);
             seen += 1;
         }
     });
-    assert!(seen > 60 && hidden > 60, "{seen} seen, {hidden} hidden");
+    assert!(seen > 30 && hidden > 30, "{seen} seen, {hidden} hidden");
 }
 
 /// Every edge is met once in each direction.

@@ -117,10 +117,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
         None => (world::read_graph(&input, &args.world, &watch)?, None),
-        Some(_) => {
-            let (graph, objects) = objects::read(&input, &args.world, &watch)?;
-            (graph, Some(objects))
-        }
+        Some(_) => objects::read(&input, &args.world, &watch).map(|(a, b)| (a, Some(b)))?,
     };
     drop(watch);
     let header = part_header(&args, &input);

@@ -250,7 +250,7 @@ fn blocks(random: &mut Random, depth: u32) -> Expression {
 #[test]
 fn coincident_faces_neither_join_nor_divide() {
     let mut random = Random::new(36);
-    for _ in 0..200 {
+    for _ in 0..120 {
         let a = blocks(&mut random, 3);
         let body = evaluate(&a).unwrap();
         assert_closed(&body);

@@ -233,8 +233,11 @@ impl Walk<'_> {
     }
 }
 
+/// Makes triangles of corners in a row.
+type Turn = fn(&[u32]) -> Vec<[u32; 3]>;
+
 /// How the corners of a primitive become triangles; `None` for points and lines.
-fn turns(primitive: &Primitive) -> Option<fn(&[u32]) -> Vec<[u32; 3]>> {
+fn turns(primitive: &Primitive) -> Option<Turn> {
     match primitive.mode {
         Checked::Valid(Mode::Triangles) => {
             Some(|corners| corners.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect())

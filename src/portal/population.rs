@@ -7,16 +7,16 @@
 //! A sightline meets the box's inside iff it starts there, or enters it through a face. The
 //! faces, pushed down the tree, fall into polygons inside cells, each entered from its cell; where
 //! a face lies in a splitting plane, a line comes through that plane: from the cell outside the
-//! face, through a portal, and is in the box at once. That polygon is the part of the face between
-//! two cells, and is entered from the outer one; where one of them is no cell, nothing enters.
+//! face, through a portal, and is in the box at once. That polygon is the part of the face in the
+//! portal, and is entered from the outer cell; where there is no portal, nothing enters.
 //!
 //! Complexity: with k objects in a tree of depth d that meet p leaves in all, O((k + p) · d)
 //! extents of polyhedra, and as many splits as there are pieces.
 
-use super::WorldCells;
-use crate::construct::{PlaneId, PlaneSet, Polygon, Polyhedron, Split};
+use super::{Portal, WorldCells};
+use crate::construct::{PlaneId, PlaneSet, Polygon, Polyhedron};
 use crate::geom::{AxialBox, BigPlane};
-use crate::num::{Int, Number, Rational, Sign};
+use crate::num::{Int, Number, Rational};
 use crate::scene::world::Object;
 use crate::scene::{CellId, ObjectGraph, PortalGraph, RawGraph, RawPortal, SceneError};
 use crate::subdivision::{Child, LeafId, Subdivision};
@@ -44,10 +44,8 @@ pub struct Entry {
 }
 
 /// Objects among cells.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Population {
-    /// The planes of everything below: those of the subdivision, and those of the boxes.
-    pub planes: PlaneSet,
     /// The pieces, by object, then by cell; each pair at most once.
     pub pieces: Vec<Piece>,
     /// The polygons through which lines enter, by object, then by cell.
@@ -57,40 +55,33 @@ pub struct Population {
 }
 
 impl Population {
-    /// Finds the parts of `objects`, each of which has volume, in the cells of a world.
-    pub fn of(objects: &[Object], cells: &WorldCells) -> Population {
-        let mut planes = cells.subdivision.planes.clone();
-        let sides: Vec<[PlaneId; 6]> =
-            objects.iter().map(|object| box_planes(&mut planes, &object.bounds)).collect();
-        let mut population =
-            Population { planes, pieces: Vec::new(), entries: Vec::new(), nowhere: Vec::new() };
-        for (object, sides) in (0..).zip(&sides) {
-            population.add(object, sides, cells);
+    /// Finds the parts of `objects`, each of which has volume, in the cells of a world; their
+    /// planes are added to the subdivision's.
+    pub fn of(objects: &[Object], cells: &mut WorldCells) -> Population {
+        let mut population = Population::default();
+        for (object, stated) in (0..).zip(objects) {
+            let sides = box_planes(&mut cells.subdivision.planes, &stated.bounds);
+            population.add(object, &sides, cells);
         }
         population
     }
 
     fn add(&mut self, object: u32, sides: &[PlaneId; 6], cells: &WorldCells) {
-        let (planes, subdivision) = (&self.planes, &cells.subdivision);
+        let subdivision = &cells.subdivision;
+        let (planes, bounds) = (&subdivision.planes, &subdivision.bounds);
         let cell = |leaf: LeafId| cells.leaves.binary_search(&leaf).ok().map(|i| CellId(i as u32));
-        let Some(solid) = Polyhedron::of_half_spaces(planes, &subdivision.bounds, sides) else {
+        let Some(solid) = Polyhedron::of_half_spaces(planes, bounds, sides) else {
             self.nowhere.push(object);
             return;
         };
-        let ends = subdivision.bounds.planes().map(PlaneId::undirected);
-        let mut entries = Vec::new();
-        for face in solid.faces() {
-            // In the boundary of all cells there is no way in.
-            if ends.contains(&face.support().undirected()) {
-                continue;
-            }
-            for (outer, inner, polygon) in enter(planes, subdivision, face.clone()) {
-                if let (Some(from), Some(_)) = (cell(outer), cell(inner)) {
-                    entries.push(Entry { object, cell: from, polygon });
-                }
-            }
-        }
-        let mut pieces: Vec<Piece> = divide(planes, subdivision, solid)
+        // In the boundary of all cells there is no way in.
+        let ends = bounds.planes().map(PlaneId::undirected);
+        let faces = solid.faces().iter().filter(|f| !ends.contains(&f.support().undirected()));
+        let mut entries: Vec<Entry> = faces
+            .flat_map(|face| ways_in(cells, face.clone()))
+            .filter_map(|(leaf, polygon)| Some(Entry { object, cell: cell(leaf)?, polygon }))
+            .collect();
+        let mut pieces: Vec<Piece> = divide(subdivision, solid)
             .into_iter()
             .filter_map(|(leaf, solid)| Some(Piece { object, cell: cell(leaf)?, solid }))
             .collect();
@@ -153,11 +144,8 @@ fn box_planes(planes: &mut PlaneSet, bounds: &AxialBox) -> [PlaneId; 6] {
 }
 
 /// The parts of a polyhedron in the leaves whose insides it meets.
-fn divide(
-    planes: &PlaneSet,
-    subdivision: &Subdivision,
-    solid: Polyhedron,
-) -> Vec<(LeafId, Polyhedron)> {
+fn divide(subdivision: &Subdivision, solid: Polyhedron) -> Vec<(LeafId, Polyhedron)> {
+    let planes = &subdivision.planes;
     let (mut parts, mut stack) = (Vec::new(), vec![(subdivision.root, solid)]);
     while let Some((child, solid)) = stack.pop() {
         let node = match child {
@@ -184,53 +172,35 @@ fn divide(
     parts
 }
 
-/// The parts of a box's face, each with the leaf outside and the one inside of the box that it
-/// touches; inside a leaf, both are that one.
-fn enter(
-    planes: &PlaneSet,
-    subdivision: &Subdivision,
-    face: Polygon,
-) -> Vec<(LeafId, LeafId, Polygon)> {
-    let mut parts = Vec::new();
-    for (outer, polygon) in touched(planes, subdivision, face, Sign::Positive) {
-        for (inner, polygon) in touched(planes, subdivision, polygon, Sign::Negative) {
-            parts.push((outer, inner, polygon));
+/// The parts of a box's face through which lines enter the box, each with the leaf that they come
+/// from: those in a leaf's inside, and those in a portal between a leaf outside of the box and one
+/// inside.
+fn ways_in(cells: &WorldCells, face: Polygon) -> Vec<(LeafId, Polygon)> {
+    let (subdivision, mut ways) = (&cells.subdivision, Vec::new());
+    for (outer, polygon) in subdivision.looking_into(subdivision.root, face) {
+        for (inner, flipped) in subdivision.looking_into(subdivision.root, polygon.flipped()) {
+            let polygon = flipped.flipped();
+            if inner == outer {
+                ways.push((outer, polygon));
+            } else {
+                let portals = portals_between(&cells.shared, inner, outer).iter();
+                ways.extend(portals.filter_map(|portal| {
+                    let mut cuts = portal.polygon.cuts();
+                    let within = |rest: Polygon, cut| rest.inside(&subdivision.planes, cut);
+                    Some((outer, cuts.try_fold(polygon.clone(), within)?))
+                }));
+            }
         }
     }
-    parts
+    ways
 }
 
-/// The parts of a polygon in the leaves: where it lies in a splitting plane, in those that touch it
-/// on the side `beside` of its support.
-fn touched(
-    planes: &PlaneSet,
-    subdivision: &Subdivision,
-    polygon: Polygon,
-    beside: Sign,
-) -> Vec<(LeafId, Polygon)> {
-    let (mut parts, mut stack) = (Vec::new(), vec![(subdivision.root, polygon)]);
-    while let Some((child, polygon)) = stack.pop() {
-        let node = match child {
-            Child::Leaf(leaf) => {
-                parts.push((leaf, polygon));
-                continue;
-            }
-            Child::Node(node) => &subdivision.nodes[node as usize],
-        };
-        let plane = node.section.support();
-        match polygon.split(planes, plane) {
-            Split::Front => stack.push((node.front, polygon)),
-            Split::Back => stack.push((node.back, polygon)),
-            Split::On => {
-                let agrees = polygon.support() == plane;
-                let in_front = agrees == (beside == Sign::Positive);
-                stack.push((if in_front { node.front } else { node.back }, polygon));
-            }
-            Split::Both(front, back) => {
-                stack.push((node.back, back));
-                stack.push((node.front, front));
-            }
-        }
-    }
-    parts
+/// The portals of two leaves, among all by `from`, then `to`.
+fn portals_between(portals: &[Portal], a: LeafId, b: LeafId) -> &[Portal] {
+    let of = |pair: (LeafId, LeafId)| {
+        let key = |portal: &Portal| (portal.from, portal.to);
+        let first = portals.partition_point(|portal| key(portal) < pair);
+        &portals[first..portals.partition_point(|portal| key(portal) <= pair)]
+    };
+    if of((a, b)).is_empty() { of((b, a)) } else { of((a, b)) }
 }

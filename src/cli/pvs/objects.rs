@@ -35,12 +35,12 @@ pub(super) fn read(
 ) -> Result<(PortalGraph, Objects), Failure> {
     if !world::is_world(input) {
         return Err(Failure::usage(format!(
-            "--objects: {} is a portal graph, which states no objects; expected a level's source",
+            "--objects: {} is a portal graph, which states no objects; expected a world",
             input.name
         )));
     }
-    let (stated, cells) = world::divided(input, args, progress)?;
-    let graph = Population::of(&stated.objects, &cells)
+    let (stated, mut cells) = world::divided(input, args, progress)?;
+    let graph = Population::of(&stated.objects, &mut cells)
         .graph(&stated.objects, &cells.graph)
         .map_err(|error| Failure::file(&input.name, error))?;
     Ok((cells.graph, Objects { stated: stated.objects, graph }))

@@ -72,7 +72,7 @@ fn parts(bytes: &[u8]) -> (Value, &[u8]) {
 }
 
 /// An accessor's words.
-fn words<'a>(document: &Value, binary: &'a [u8], accessor: &Value) -> (Value, Vec<[u8; 4]>) {
+fn words(document: &Value, binary: &[u8], accessor: &Value) -> (Value, Vec<[u8; 4]>) {
     let accessor = document["accessors"][accessor.as_u64().unwrap() as usize].clone();
     let view = &document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
     let start = view["byteOffset"].as_u64().unwrap() as usize;
@@ -150,7 +150,7 @@ fn a_glb_of_nothing_has_no_empty_lists() {
 fn what_no_float_holds_is_refused() {
     let triangle = vec![point(["1e39", "0", "0"]), point(["0", "1", "0"]), point(["0", "0", "1"])];
     let group = MeshGroup { name: "huge".into(), polygons: vec![triangle] };
-    let error = write_glb(&[group.clone()], &mut Vec::new()).unwrap_err();
+    let error = write_glb(std::slice::from_ref(&group), &mut Vec::new()).unwrap_err();
     assert!(error.to_string().contains("too large"), "{error}");
     assert!(write_obj(&[group], &mut Vec::new()).unwrap().is_zero());
 }
