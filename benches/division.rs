@@ -30,7 +30,7 @@ fn main() {
     println!("walls     rooms polygons   leaves    cells  portals  seconds exponent   MiB");
     for thin in [false, true] {
         let mut before: Option<(f64, f64)> = None;
-        let mut rooms = (largest / 64).max(1);
+        let mut rooms = (largest / 64).max(16);
         while rooms <= largest {
             let occluders = building(rooms, thin);
             let polygons = occluders.solids.len() * 6 + occluders.polygons.len();

@@ -2,28 +2,28 @@
 
 mod show;
 
-use super::division::DivisionArgs;
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::numbers::point;
 use super::progress::{ProgressArgs, Stopwatch};
+use super::world::{self, WorldArgs};
 use crate::formats::prt::{self, PrtWriteError};
 use crate::num::Rational;
 use crate::portal::{self, WorldCells, WorldError, divide_world, occluders_of};
 use crate::report::{BspChecked, BspReport, BspStage, EyeRatio, InputId, Progress};
-use crate::scene::level::LevelOptions;
+use crate::scene::World;
 use crate::scene::world::Inside;
-use crate::scene::{self, World};
 use crate::subdivision::{DivisionError, Options, PortalShape};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Divide the space around geometry into convex cells and the portals between them
 ///
-/// A world that leaks ends with code 3; `--pts` keeps the way out.
+/// INPUT is a level's source (`.map`), a JSON scene with geometry, or polygons (`.obj`, `.gltf`,
+/// `.glb`). A world that leaks ends with code 3; `--pts` keeps the way out.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The level's source
+    /// The geometry
     input: PathBuf,
     /// Write the portals as a portal file
     #[arg(long, value_name = "OUT.prt")]
@@ -48,41 +48,29 @@ pub(super) struct Args {
     /// Tell how long each stage took
     #[arg(long)]
     stats: bool,
-    /// Liquids hide what is behind them
-    #[arg(long)]
-    opaque_liquids: bool,
-    /// Keep every digit of coordinates with more than six decimals
-    #[arg(long)]
-    keep_digits: bool,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON (`stabline-bsp/1`)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
     progress: ProgressArgs,
-    #[command(flatten)]
-    division: DivisionArgs,
 }
 
 /// How many random points `--check` locates.
 const SAMPLES: usize = 200;
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let options = args.division.options()?;
+    let options = args.world.division.options()?;
     let eye = args.painter.as_ref().map(|text| point("--painter", text)).transpose()?;
     let input = Input::read(&args.input)?;
     let stopwatch = Stopwatch::new(args.progress.reporter());
     stopwatch.begin("read", 0);
-    let level_options = LevelOptions {
-        opaque_liquids: args.opaque_liquids,
-        keep_digits: args.keep_digits,
-        ..LevelOptions::default()
-    };
-    let level = scene::read_level(&input.name, &input.bytes, level_options)?;
-    for warning in &level.warnings {
+    let (world, warnings) = world::read_all(&input, &args.world)?;
+    for warning in &warnings {
         eprintln!("{}: {warning}", input.name);
     }
-    let warnings = level.warnings.iter().map(ToString::to_string).collect();
-    let world = World::of_level(&level);
+    let warnings = warnings.iter().map(ToString::to_string).collect();
     let cells = match divide_world(&world, &options, &stopwatch) {
         Ok(cells) => cells,
         Err(WorldError::Division(DivisionError::Interrupted)) => return Ok(Exit::Interrupted),
@@ -100,7 +88,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let stages = stopwatch.stages().into_iter();
     let stages = stages.map(|(stage, microseconds)| BspStage { stage, microseconds });
     let mut report = summary(&input, &world, &cells, warnings);
-    report.portal_shape = args.division.shape().1;
+    report.portal_shape = args.world.division.shape().1;
     report.conservative = options.portals == PortalShape::Hull;
     report.checked = checked;
     report.stages = if args.stats { stages.collect() } else { Vec::new() };

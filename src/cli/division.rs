@@ -17,10 +17,10 @@ pub(super) struct DivisionArgs {
     #[arg(long, value_name = "SHARE")]
     obscuration: Option<String>,
     /// The score of a plane: reward for each face in it
-    #[arg(long, value_name = "N", default_value_t = 5, allow_hyphen_values = true, value_parser = weight())]
+    #[arg(long, value_name = "N", default_value_t = 10, allow_hyphen_values = true, value_parser = weight())]
     reward_coplanar: i64,
     /// The score of a plane: charge for each face that it cuts
-    #[arg(long, value_name = "N", default_value_t = 5, allow_hyphen_values = true, value_parser = weight())]
+    #[arg(long, value_name = "N", default_value_t = 20, allow_hyphen_values = true, value_parser = weight())]
     charge_cut: i64,
     /// The score of a plane: charge for each face that one side has more than the other
     #[arg(long, value_name = "N", default_value_t = 1, allow_hyphen_values = true, value_parser = weight())]
@@ -29,7 +29,7 @@ pub(super) struct DivisionArgs {
     #[arg(long, value_name = "N", default_value_t = 5, allow_hyphen_values = true, value_parser = weight())]
     reward_axial: i64,
     /// The most planes to weigh in one cell
-    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]
     samples: u32,
     /// Split empty cells larger than this share of the box (a decimal or ratio, above 0)
     #[arg(long, value_name = "SHARE")]
@@ -96,5 +96,23 @@ impl DivisionArgs {
             Shape::Merged => (PortalShape::Merged, "merged"),
             Shape::Hull => (PortalShape::Hull, "hull"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(clap::Parser)]
+    struct Only {
+        #[command(flatten)]
+        division: DivisionArgs,
+    }
+
+    #[test]
+    fn the_defaults_of_the_command_are_those_of_the_library() {
+        let only = Only::parse_from(["x"]);
+        assert_eq!(only.division.options(), Ok(Options::default()));
     }
 }

@@ -1,19 +1,27 @@
-//! `stabline eye`: what one point sees through the portals.
+//! `stabline eye`: what one point sees of a portal graph or a world.
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::world;
-use crate::eye::{Cull, EyeGraph, Frustum, Lens, LocateError, Query, half_tangent};
+use super::numbers::{numbers, point};
+use super::world::{self, WorldArgs};
+use crate::construct::Polygon;
+use crate::eye::{
+    Cull, EyeGraph, EyeWorld, Frustum, Lens, LocateError, Query, WorldAnswer, half_tangent,
+};
+use crate::formats::mesh::{self, MeshGroup};
 use crate::geom::RationalPoint3;
-use crate::num::{Int, Rational, parse_decimal};
-use crate::report::InputId;
-use num_integer::Integer;
-use std::path::PathBuf;
+use crate::num::Rational;
+use crate::report::{EyeReport, InputId, Silent};
+use crate::scene::{self, CellId, PortalGraph, PortalId};
+use num_traits::ToPrimitive;
+use std::io::{self, Write};
+use std::iter;
+use std::path::{Path, PathBuf};
 
-/// Compute what an eye sees through the portals: cells, and the seen parts of portals
+/// Compute what an eye sees: cells, the seen space or the seen parts of portals, objects
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// Where the eye is: three decimals or ratios
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -36,9 +44,20 @@ pub(super) struct Args {
     /// The cell that the eye is in, where the portals do not tell: its name, or its number
     #[arg(long, value_name = "C")]
     cell: Option<String>,
-    /// Give the seen part of each sequence's last portal
+    /// Give what is seen: of each sequence's last portal, or of a level's cells as polyhedra
     #[arg(long)]
     regions: bool,
+    /// Give the detail objects of a level that are seen
+    #[arg(long)]
+    objects: bool,
+    /// Write what is seen as a binary glTF, one object a region, in the nearest single floats
+    #[arg(long, value_name = "OUT.glb")]
+    glb: Option<PathBuf>,
+    /// Write what is seen as an OBJ, one object a region
+    #[arg(long, value_name = "OUT.obj")]
+    obj: Option<PathBuf>,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON (`stabline-eye/1`)
     #[arg(long)]
     json: bool,
@@ -67,17 +86,67 @@ impl Method {
     }
 }
 
+impl Args {
+    /// Whether what is seen is to be made out at all.
+    fn needs_regions(&self) -> bool {
+        self.regions || self.objects || self.glb.is_some() || self.obj.is_some()
+    }
+}
+
+/// A report, and what is seen.
+type Seen = (EyeReport, Vec<MeshGroup>);
+
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let eye = point(&numbers("--at", &args.at)?);
+    let eye = point("--at", &args.at)?;
     let lens = lens(&args)?;
-    if args.regions && args.cull != Method::Exact {
-        return Err(Failure::usage("--regions needs the exact cull"));
+    if args.needs_regions() && args.cull != Method::Exact {
+        let message = "--regions, --objects, --glb and --obj need the exact cull";
+        return Err(Failure::usage(message));
     }
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let (report, mesh) = match world::is_world(&input) {
+        true => of_world(&args, &input, &eye, lens.as_ref())?,
+        false => of_graph(&args, &input, &eye, lens.as_ref())?,
+    };
+    if let Some(path) = &args.glb {
+        write_mesh(path, |out| mesh::write_glb(&mesh, out))?;
+    }
+    if let Some(path) = &args.obj {
+        write_mesh(path, |out| mesh::write_obj(&mesh, out))?;
+    }
+    let text = if args.json { report.to_json() } else { report.to_text() };
+    files::print(&text).map(|()| Exit::Done)
+}
+
+fn write_mesh(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<Rational>,
+) -> Result<(), Failure> {
+    let mut moved = Rational::default();
+    files::write(Some(path), |out| {
+        moved = write(out)?;
+        Ok(())
+    })?;
+    if moved != Rational::default() {
+        let about = moved.to_f64().unwrap_or(f64::INFINITY);
+        eprintln!("{}: coordinates moved by {about:.3e} at most", path.display());
+    }
+    Ok(())
+}
+
+fn of_graph(
+    args: &Args,
+    input: &Input,
+    eye: &RationalPoint3,
+    lens: Option<&Lens>,
+) -> Result<Seen, Failure> {
+    if args.objects {
+        return Err(Failure::usage("--objects needs a level: a portal graph has none"));
+    }
+    let graph = scene::read_graph(&input.name, &input.bytes)?;
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
-    let frustum = lens.as_ref().map(|lens| &lens.frustum);
-    let query = Query { eye: &eye, frustum, cell, regions: args.regions };
+    let frustum = lens.map(|lens| &lens.frustum);
+    let query = Query { eye, frustum, cell, regions: args.needs_regions() };
     let (cull, name) = args.cull.cull();
     let answer = EyeGraph::new(&graph).look(&query, cull).map_err(|error| match error {
         LocateError::Nowhere => Failure::file(&input.name, error),
@@ -85,9 +154,58 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         LocateError::NotInCell { .. } => Failure::usage(error),
     })?;
     let id = InputId::new(&input.file_name(), &input.bytes);
-    let report = answer.report(&graph, id, &eye, lens.as_ref(), (name, args.regions));
-    let text = if args.json { report.to_json() } else { report.to_text() };
-    files::print(&text).map(|()| Exit::Done)
+    let report = answer.report(&graph, id, eye, lens, (name, args.regions));
+    let groups = answer
+        .regions
+        .into_iter()
+        .map(|region| group(&graph, region.cell, &region.portals, vec![region.polygon]));
+    Ok((report, groups.collect()))
+}
+
+fn of_world(
+    args: &Args,
+    input: &Input,
+    eye: &RationalPoint3,
+    lens: Option<&Lens>,
+) -> Result<Seen, Failure> {
+    if args.cell.is_some() {
+        return Err(Failure::usage("--cell is for portal graphs: a level's tree places every eye"));
+    }
+    let (world, cells) = world::divided(input, &args.world, &Silent)?;
+    let frustum = lens.map(|lens| &lens.frustum);
+    let query = Query { eye, frustum, cell: None, regions: args.needs_regions() };
+    let (cull, name) = args.cull.cull();
+    let WorldAnswer { answer, space } = EyeWorld::new(&world, &cells)
+        .look(&query, cull)
+        .map_err(|error| Failure::file(&input.name, error))?;
+    let id = InputId::new(&input.file_name(), &input.bytes);
+    let graph = &cells.graph;
+    let mut report = answer.report(graph, id, eye, lens, (name, false));
+    let Some(mut space) = space else { return Ok((report, Vec::new())) };
+    report.space = args.regions.then(|| space.report(graph));
+    if args.objects {
+        let seen = space.objects(&world.objects);
+        report.objects = Some(space.report_objects(graph, &world.objects, &seen));
+    }
+    let groups = space.regions.iter().map(|region| {
+        let faces = region.polyhedron.faces().iter().map(Polygon::points).collect();
+        group(graph, region.cell, &region.portals, faces)
+    });
+    Ok((report, groups.collect()))
+}
+
+/// What is seen of a cell through a sequence, by their names.
+fn group(
+    graph: &PortalGraph,
+    cell: CellId,
+    portals: &[PortalId],
+    polygons: Vec<Vec<RationalPoint3>>,
+) -> MeshGroup {
+    let mut name = graph.cells[cell.0 as usize].clone();
+    for (portal, word) in portals.iter().zip(iter::once(" through").chain(iter::repeat(""))) {
+        name.push_str(&format!("{word} {}", graph.portals[portal.0 as usize].source));
+    }
+    MeshGroup { name, polygons }
 }
 
 fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
@@ -106,23 +224,4 @@ fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
     };
     let frustum = Frustum::new(&look, &up, &half_tangents).map_err(Failure::usage)?;
     Ok(Some(Lens { look, up, half_tangents, frustum }))
-}
-
-/// The `N` numbers of an option, read exactly.
-fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
-    let read = |part: &str| {
-        parse_decimal(part.trim())
-            .map_err(|error| Failure::usage(format!("{option}: `{part}`: {error}")))
-    };
-    let numbers = text.split(',').map(read).collect::<Result<Vec<_>, _>>()?;
-    let count = numbers.len();
-    numbers.try_into().map_err(|_| {
-        Failure::usage(format!("{option}: expected {N} numbers between commas, got {count}"))
-    })
-}
-
-fn point(coordinates: &[Rational; 3]) -> RationalPoint3 {
-    let common = coordinates.iter().fold(Int::from(1), |c, x| c.lcm(x.denom()));
-    let numerators = coordinates.each_ref().map(|c| c.numer() * (&common / c.denom()));
-    RationalPoint3::new(numerators, common)
 }

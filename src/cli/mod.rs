@@ -7,12 +7,14 @@
 
 mod bsp;
 mod check;
+mod csg;
 mod division;
 mod exit;
 mod export;
 mod eye;
 mod files;
 mod interrupt;
+mod motion;
 mod numbers;
 mod progress;
 mod pvs;
@@ -44,8 +46,10 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 enum Command {
     Bsp(Box<bsp::Args>),
     Check(check::Args),
+    Csg(csg::Args),
     Export(export::Args),
     Eye(eye::Args),
+    Move(motion::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
@@ -58,8 +62,10 @@ impl Command {
         match self {
             Command::Bsp(args) => bsp::run(*args),
             Command::Check(args) => check::run(args),
+            Command::Csg(args) => csg::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
+            Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),

@@ -4,7 +4,9 @@ use super::polygon::Extent;
 use super::{Bounds, PlaneId, PlaneSet, Polygon, Split};
 use crate::geom::RationalPoint3;
 use crate::geom::vector::determinant;
-use crate::num::{Int, Rational};
+use crate::num::{Int, Rational, Sign};
+use crate::predicates::side_of_point;
+use num_integer::Integer;
 
 /// A bounded convex polyhedron with volume: its faces, their supports pointing outwards.
 #[derive(Clone, Debug)]
@@ -110,6 +112,21 @@ impl Polyhedron {
         [Polyhedron { faces: front }, Polyhedron { faces: back }]
     }
 
+    /// What of it is on the negative side of a plane, within a box that contains it; `None` where
+    /// that has no volume.
+    pub fn inside(self, planes: &PlaneSet, bounds: &Bounds, plane: PlaneId) -> Option<Polyhedron> {
+        let extent = self.extent(planes, plane);
+        match (extent.front, extent.back) {
+            (_, false) => None,
+            (false, true) => Some(self),
+            (true, true) => {
+                let section = self.section(planes, bounds, plane);
+                let [_, back] = self.split(planes, &section);
+                Some(back)
+            }
+        }
+    }
+
     /// Its volume.
     pub fn volume(&self) -> Rational {
         // The faces' fans, as signed pyramids over the origin: det[a, b, c] is six volumes.
@@ -120,6 +137,30 @@ impl Polyhedron {
     /// A point inside: the mean of its faces' vertices.
     pub fn inner_point(&self) -> RationalPoint3 {
         mean(self.faces.iter().flat_map(Polygon::points))
+    }
+
+    /// A point inside with short coordinates: the multiples of 1, 1/2, 1/4 … nearest to the mean
+    /// of its vertices, the first that are inside.
+    pub fn short_inner_point(&self, planes: &PlaneSet) -> RationalPoint3 {
+        let mean = self.inner_point();
+        let two = Int::from(2);
+        let mut grid = Int::from(1);
+        loop {
+            let rounded = mean.numerators().each_ref().map(|c| {
+                Integer::div_floor(
+                    &(c * &grid * &two + mean.denominator()),
+                    &(&two * mean.denominator()),
+                )
+            });
+            let point = RationalPoint3::new(rounded, grid.clone());
+            if self.faces.iter().all(|face| {
+                // A point on the boundary is not inside.
+                side_of_point(planes.get(face.support()), &point) == Sign::Negative
+            }) {
+                return point;
+            }
+            grid *= 2;
+        }
     }
 }
 

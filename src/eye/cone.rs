@@ -55,6 +55,11 @@ impl Cone {
         self.faces.iter().map(|face| &face.ray)
     }
 
+    /// The planes of the faces, positive inside.
+    pub fn planes(&self) -> impl Iterator<Item = &Rc<Direction>> {
+        self.faces.iter().map(|face| &face.plane)
+    }
+
     /// Keeps what is on the positive side of a plane; false where nothing with an interior is.
     #[must_use]
     pub fn clip(&mut self, plane: &Rc<Direction>) -> bool {

@@ -14,7 +14,7 @@ use super::propose::FloatCone;
 use super::view::View;
 use super::{Cone, EyeGraph, Frustum, LocateError, Region};
 use crate::geom::RationalPoint3;
-use crate::num::{Int, Sign};
+use crate::num::Int;
 use crate::predicates::Direction;
 use crate::scene::{CellId, PortalId};
 use std::collections::VecDeque;
@@ -40,9 +40,10 @@ pub struct Query<'q> {
     pub eye: &'q RationalPoint3,
     /// What it looks at; all around it without.
     pub frustum: Option<&'q Frustum>,
-    /// The cell that the eye is in, where the portals do not tell.
+    /// The cell that the eye is in, where the portals do not tell; a world's tree always does.
     pub cell: Option<CellId>,
-    /// Whether to give the seen part of each sequence's last portal (with [`Cull::Exact`]).
+    /// Whether to give what is seen (with [`Cull::Exact`]): of each sequence's last portal, or of
+    /// the cells of a world.
     pub regions: bool,
 }
 
@@ -78,36 +79,76 @@ impl EyeGraph<'_> {
     /// [`LocateError`] where it is not known which cell the eye is in.
     pub fn look(&self, query: &Query, cull: Cull) -> Result<Answer, LocateError> {
         let view = View::new(self, query.eye);
-        let eye_cells = cells_of_eye(&view, query.cell)?;
-        let mut found = Found { best: vec![None; self.graph.cells.len()], sequences: 0 };
+        let sides = sides(query.frustum);
+        let starts = cells_of_eye(&view, query.cell)?.into_iter().map(|cell| {
+            let limits = sides.iter().cloned().chain(view.planes_at_eye(cell)).collect();
+            Start { cell, limits }
+        });
+        let starts: Vec<Start> = starts.collect();
         let mut regions = Vec::new();
-        match cull {
-            Cull::Flood => spread(&view, &eye_cells, &mut found, |_, _| true),
-            Cull::Portals => {
-                let limits: Vec<_> = query.frustum.into_iter().flat_map(Frustum::sides).collect();
-                spread(&view, &eye_cells, &mut found, |cell, portal| {
-                    view.leaves(portal, cell) && entered(&view, &limits, portal).is_some()
-                });
+        let mut answer = search(&view, query.frustum, cull, &starts, |cell, portals, cone| {
+            if query.regions {
+                regions.push(Region::new(&view, portals, cell, cone));
             }
-            Cull::Float => {
-                for &cell in &eye_cells {
-                    look_in_floats(&view, cell, query.frustum, &mut found);
-                }
-            }
-            Cull::Exact => {
-                for &cell in &eye_cells {
-                    let regions = query.regions.then_some(&mut regions);
-                    look_exactly(&view, cell, query.frustum, &mut found, regions);
-                }
+        });
+        answer.regions = regions;
+        Ok(answer)
+    }
+}
+
+/// A cell that the eye belongs to.
+pub(super) struct Start {
+    pub(super) cell: CellId,
+    /// The planes that bound every direction from the eye into the cell: those of the frustum, and
+    /// of the cell's boundary where the eye lies on it.
+    pub(super) limits: Vec<Rc<Direction>>,
+}
+
+/// The sides of a frustum, if there is one.
+pub(super) fn sides(frustum: Option<&Frustum>) -> Vec<Rc<Direction>> {
+    frustum.into_iter().flat_map(Frustum::sides).collect()
+}
+
+/// The cells reached from the eye's own; `each` is told of each sequence that is seen exactly, with
+/// its directions.
+pub(super) fn search(
+    view: &View,
+    frustum: Option<&Frustum>,
+    cull: Cull,
+    starts: &[Start],
+    mut each: impl FnMut(CellId, &[usize], &Cone),
+) -> Answer {
+    let mut found = Found { best: vec![None; view.graph.graph.cells.len()], sequences: 0 };
+    match cull {
+        Cull::Flood => spread(view, starts, &mut found, |_, _| true),
+        Cull::Portals => {
+            let sides = sides(frustum);
+            spread(view, starts, &mut found, |cell, portal| {
+                view.leaves(portal, cell) && entered(view, &sides, portal).is_some()
+            });
+        }
+        Cull::Float => {
+            for start in starts {
+                look_in_floats(view, start, &mut found);
             }
         }
-        let reached = found.best.into_iter().zip(0..).filter_map(|(best, cell)| {
-            let Best { portals, direction } = best?;
-            let portals = portals.iter().map(|&portal| PortalId(portal as u32)).collect();
-            Some(Reached { cell: CellId(cell), portals, direction })
-        });
-        let cells = reached.collect();
-        Ok(Answer { eye_cells, cells, sequences: found.sequences, regions })
+        Cull::Exact => {
+            for start in starts {
+                look_exactly(view, start, frustum, &mut found, &mut each);
+            }
+        }
+    }
+    let reached = found.best.into_iter().zip(0..).filter_map(|(best, cell)| {
+        let Best { portals, cone } = best?;
+        let portals = portals.iter().map(|&portal| PortalId(portal as u32)).collect();
+        let direction = cone.map(|cone| cone.interior());
+        Some(Reached { cell: CellId(cell), portals, direction })
+    });
+    Answer {
+        cells: reached.collect(),
+        eye_cells: starts.iter().map(|start| start.cell).collect(),
+        sequences: found.sequences,
+        regions: Vec::new(),
     }
 }
 
@@ -115,7 +156,8 @@ impl EyeGraph<'_> {
 #[derive(Clone)]
 struct Best {
     portals: Vec<usize>,
-    direction: Option<[Int; 3]>,
+    /// Its directions, by the exact cull.
+    cone: Option<Cone>,
 }
 
 /// What was found so far.
@@ -125,29 +167,24 @@ struct Found {
 }
 
 impl Found {
-    /// Notes a sequence; the direction is made only for one that is better than what there is.
-    fn note(
-        &mut self,
-        cell: CellId,
-        portals: &[usize],
-        direction: impl FnOnce() -> Option<[Int; 3]>,
-    ) {
+    /// Notes a sequence, if it is better than what there is.
+    fn note(&mut self, cell: CellId, portals: &[usize], cone: Option<&Cone>) {
         self.sequences += u64::from(!portals.is_empty());
         let best = &mut self.best[cell.0 as usize];
         let is_better =
             |best: &Best| (portals.len(), portals) < (best.portals.len(), &best.portals[..]);
         if best.as_ref().is_none_or(is_better) {
-            *best = Some(Best { portals: portals.to_vec(), direction: direction() });
+            *best = Some(Best { portals: portals.to_vec(), cone: cone.cloned() });
         }
     }
 }
 
 /// Reaches cells in breadth, each once, through portals that pass on their own.
-fn spread(view: &View, from: &[CellId], found: &mut Found, passes: impl Fn(CellId, usize) -> bool) {
+fn spread(view: &View, from: &[Start], found: &mut Found, passes: impl Fn(CellId, usize) -> bool) {
     let mut queue: VecDeque<(CellId, Vec<usize>)> =
-        from.iter().map(|&cell| (cell, Vec::new())).collect();
-    for &cell in from {
-        found.note(cell, &[], || None);
+        from.iter().map(|start| (start.cell, Vec::new())).collect();
+    for start in from {
+        found.note(start.cell, &[], None);
     }
     while let Some((cell, portals)) = queue.pop_front() {
         for &portal in &view.graph.portals_of[cell.0 as usize] {
@@ -155,24 +192,12 @@ fn spread(view: &View, from: &[CellId], found: &mut Found, passes: impl Fn(CellI
             if found.best[beyond.0 as usize].is_none() && passes(cell, portal) {
                 let mut portals = portals.clone();
                 portals.push(portal);
-                found.note(beyond, &portals, || None);
+                found.note(beyond, &portals, None);
                 queue.push_back((beyond, portals));
             }
         }
     }
     found.sequences = 0;
-}
-
-/// The planes that bound every direction from the eye into its cell: those of the frustum, and of
-/// the cell's portals whose plane the eye lies in.
-fn limits(view: &View, cell: CellId, frustum: Option<&Frustum>) -> Vec<Rc<Direction>> {
-    let mut limits: Vec<_> = frustum.into_iter().flat_map(Frustum::sides).collect();
-    for &portal in &view.graph.portals_of[cell.0 as usize] {
-        if view.side(portal) == Sign::Zero && view.graph.bounds(portal, cell) {
-            limits.push(Rc::new(view.normal(portal, view.graph.inner(portal, cell))));
-        }
-    }
-    limits
 }
 
 /// The directions through one portal within the limits.
@@ -196,33 +221,29 @@ fn within(limits: &[Rc<Direction>], frustum: Option<&Frustum>) -> Option<Cone> {
 
 fn look_exactly(
     view: &View,
-    cell: CellId,
+    Start { cell, limits }: &Start,
     frustum: Option<&Frustum>,
     found: &mut Found,
-    mut regions: Option<&mut Vec<Region>>,
+    each: &mut impl FnMut(CellId, &[usize], &Cone),
 ) {
-    let limits = limits(view, cell, frustum);
     // An eye on the cell's boundary may look away from it.
-    let Some(start) = within(&limits, frustum) else { return };
-    found.note(cell, &[], || Some(start.interior()));
+    let Some(start) = within(limits, frustum) else { return };
+    found.note(*cell, &[], Some(&start));
     let enter = |before: Option<(&Cone, usize)>, portal: usize| {
-        let Some((cone, last)) = before else { return entered(view, &limits, portal) };
+        let Some((cone, last)) = before else { return entered(view, limits, portal) };
         let mut cone = cone.clone();
         let seen = view.seen(portal);
         let order = view.order(last, portal);
         seen.planes.iter().chain(&order).all(|plane| cone.clip(plane)).then_some(cone)
     };
-    walk(view, cell, enter, |cell, portals, cone: &Cone| {
-        found.note(cell, portals, || Some(cone.interior()));
-        if let Some(regions) = &mut regions {
-            regions.push(Region::new(view, portals, cell, cone));
-        }
+    walk(view, *cell, enter, |cell, portals, cone: &Cone| {
+        found.note(cell, portals, Some(cone));
+        each(cell, portals, cone);
     });
 }
 
-fn look_in_floats(view: &View, cell: CellId, frustum: Option<&Frustum>, found: &mut Found) {
-    let limits = limits(view, cell, frustum);
-    found.note(cell, &[], || None);
+fn look_in_floats(view: &View, Start { cell, limits }: &Start, found: &mut Found) {
+    found.note(*cell, &[], None);
     let enter = |before: Option<(&FloatCone, usize)>, portal: usize| {
         let seen = view.seen(portal);
         let Some((cone, _)) = before else {
@@ -232,7 +253,7 @@ fn look_in_floats(view: &View, cell: CellId, frustum: Option<&Frustum>, found: &
         let mut cone = cone.clone();
         seen.planes.iter().all(|plane| cone.clip(plane.float())).then_some(cone)
     };
-    walk(view, cell, enter, |cell, portals, _: &FloatCone| found.note(cell, portals, || None));
+    walk(view, *cell, enter, |cell, portals, _: &FloatCone| found.note(cell, portals, None));
 }
 
 /// One cell of a sequence that is being extended.

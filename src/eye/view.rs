@@ -188,6 +188,15 @@ impl<'a> View<'a> {
         })
     }
 
+    /// The planes of a cell's portals that bound it and that the eye lies in, positive inside.
+    pub(super) fn planes_at_eye(&self, cell: CellId) -> impl Iterator<Item = Rc<Direction>> {
+        let portals = self.graph.portals_of[cell.0 as usize].iter().copied();
+        let at_eye = portals.filter(move |&portal| {
+            self.side(portal) == Sign::Zero && self.graph.bounds(portal, cell)
+        });
+        at_eye.map(move |portal| Rc::new(self.normal(portal, self.graph.inner(portal, cell))))
+    }
+
     /// The normal of a portal's plane, turned so that the given side is its positive one.
     pub(super) fn normal(&self, portal: usize, side: Sign) -> Direction {
         let normal = self.graph.planes[portal].normal.clone();

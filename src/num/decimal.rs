@@ -1,6 +1,7 @@
 //! Decimals and ratios read exactly, however many digits they have.
 
 use super::{Int, Rational};
+use num_integer::Integer;
 use num_traits::{Pow, Zero};
 
 /// Why a text is not a number.
@@ -67,6 +68,33 @@ fn parse_digits(text: &str, signed: bool) -> Result<Int, DecimalError> {
     text.parse().map_err(|_| DecimalError::Malformed)
 }
 
+/// The finite decimal equal to `value`, if there is one: if no prime but 2 and 5 divides its
+/// denominator.
+pub fn format_decimal(value: &Rational) -> Option<String> {
+    let mut rest = value.denom().clone();
+    let mut digits = 0u32;
+    for prime in [2, 5] {
+        let prime = Int::from(prime);
+        let mut power = 0;
+        while rest.is_multiple_of(&prime) {
+            rest /= &prime;
+            power += 1;
+        }
+        digits = digits.max(power);
+    }
+    if rest != Int::from(1) {
+        return None;
+    }
+    let power: Int = Int::from(10).pow(digits);
+    let scaled = (value * power).to_integer();
+    let digits = digits as usize;
+    let sign = if scaled < Int::ZERO { "-" } else { "" };
+    let text = format!("{:0>width$}", scaled.magnitude(), width = digits + 1);
+    let (whole, fraction) = text.split_at(text.len() - digits);
+    let point = if digits > 0 { "." } else { "" };
+    Some(format!("{sign}{whole}{point}{fraction}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -90,6 +118,15 @@ mod tests {
             long * Int::from(10).pow(26u32),
             "56285683454726874605620706".parse::<Int>().unwrap().into()
         );
+    }
+
+    #[test]
+    fn decimals_are_written_exactly_or_not_at_all() {
+        for text in ["0", "-0.125", "16.5", "0.000001", "-20", "3.2", "1234567890123456789.5"] {
+            assert_eq!(format_decimal(&parse_decimal(text).unwrap()).unwrap(), text);
+        }
+        assert_eq!(format_decimal(&ratio(1, 3)), None);
+        assert_eq!(format_decimal(&ratio(-7, 30)), None);
     }
 
     #[test]

@@ -11,7 +11,7 @@ mod sign;
 mod surd;
 mod wide;
 
-pub use decimal::{DecimalError, parse_decimal};
+pub use decimal::{DecimalError, format_decimal, parse_decimal};
 pub use number::Number;
 pub use sign::Sign;
 pub use surd::{Surd, sign_of_surd, sign_of_two_surds};

@@ -6,6 +6,8 @@
 
 mod families;
 mod linear;
+mod motion;
+mod overlap;
 mod plane;
 mod polynomial;
 mod pvs;
@@ -13,6 +15,8 @@ mod sequence;
 mod world;
 
 pub use families::{Family, Random, sequence, sequence_2d};
+pub use motion::first_contact;
+pub use overlap::overlap;
 pub use plane::{PlaneTruth, classify_2d};
 pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};

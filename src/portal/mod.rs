@@ -10,6 +10,7 @@ mod cells;
 mod check;
 mod enumerate;
 mod flood;
+mod population;
 #[cfg(test)]
 mod tests;
 mod world;
@@ -18,4 +19,5 @@ pub use cells::{CellPortal, Cells};
 pub use check::{PortalViolation, check};
 pub use enumerate::{Portal, enumerate};
 pub use flood::{Flood, Leak, flood};
+pub use population::{Entry, Piece, Population};
 pub use world::{WorldCells, WorldError, cells_of_world, divide_world, occluders_of};

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What an eye sees of a portal graph.
+/// What an eye sees of a portal graph, or of a world.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(title = "stabline-eye/1")]
 pub struct EyeReport {
@@ -27,9 +27,16 @@ pub struct EyeReport {
     pub sequences: u64,
     /// The cells reached, in their order.
     pub cells: Vec<EyeCell>,
-    /// What is seen of the last portal of each sequence; only where it was asked for.
+    /// What is seen of the last portal of each sequence of a portal graph; only where it was asked
+    /// for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub regions: Option<Vec<EyeRegion>>,
+    /// What is seen of a world's cells; only where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub space: Option<EyeSpace>,
+    /// The detail objects of a world that are seen, in their order; only where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub objects: Option<Vec<EyeObject>>,
 }
 
 /// Which file the result is about.
@@ -81,11 +88,52 @@ pub struct EyeRegion {
     pub doubled_area_squared: Ratio,
 }
 
+/// The seen space.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct EyeSpace {
+    /// The sum of the volumes of all regions, which have no inner point in common.
+    pub volume: Ratio,
+    /// The eye's own cells in the frustum, then each sequence.
+    pub regions: Vec<EyeSpaceRegion>,
+}
+
+/// What is seen of a cell through one sequence: a convex polyhedron.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct EyeSpaceRegion {
+    /// The cell.
+    pub cell: String,
+    /// The sequence: indices into the world's portals; empty for the eye's own cell.
+    pub portals: Vec<u32>,
+    /// The volume.
+    pub volume: Ratio,
+    /// The vertices.
+    pub vertices: Vec<[Ratio; 3]>,
+    /// Each face's vertices by index, counter-clockwise as seen from outside.
+    pub faces: Vec<Vec<u32>>,
+}
+
+/// A detail object that is seen.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct EyeObject {
+    /// Its index in the world.
+    pub object: u32,
+    /// What the input calls it.
+    pub name: String,
+    /// Its line in the file, where that is known.
+    pub line: Option<u32>,
+    /// A cell in which it is seen.
+    pub cell: String,
+    /// The sequence through which it is seen there.
+    pub portals: Vec<u32>,
+    /// A point of the inside of its box that the eye sees.
+    pub point: [Ratio; 3],
+}
+
 /// A rational number `p` or `p/q` in lowest terms with q > 1.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(rename = "Ratio")]
-pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] String);
+pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] pub(super) String);
 
 /// An integer: as a string where it does not fit in 53 bits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -96,6 +144,13 @@ pub enum Integer {
     Small(i64),
     /// More than that.
     Large(#[schemars(regex(pattern = "^-?[0-9]+$"))] String),
+}
+
+impl Ratio {
+    /// The number 1.
+    pub(super) fn one() -> Ratio {
+        Ratio("1".to_owned())
+    }
 }
 
 impl From<&Rational> for Ratio {
@@ -150,6 +205,8 @@ impl EyeReport {
             sequences: 0,
             cells: Vec::new(),
             regions: None,
+            space: None,
+            objects: None,
         }
     }
 
@@ -174,9 +231,7 @@ impl EyeReport {
         text.push_str(&format!("{}: {count} cells, {} sequences\n", self.cull, self.sequences));
         for EyeCell { cell, portals, direction } in &self.cells {
             text.push_str(cell);
-            if !portals.is_empty() {
-                text.push_str(&format!(" through {}", list(portals)));
-            }
+            text.push_str(&through(portals));
             if let Some([x, y, z]) = direction {
                 text.push_str(&format!(" towards ({x} {y} {z})"));
             }
@@ -192,6 +247,11 @@ impl EyeReport {
                 region.doubled_area_squared.0
             ));
         }
+        text.extend(self.space.iter().map(EyeSpace::to_text));
+        if let Some(objects) = &self.objects {
+            text.push_str(&format!("{} objects\n", objects.len()));
+            text.extend(objects.iter().map(EyeObject::to_text));
+        }
         text
     }
 
@@ -201,10 +261,49 @@ impl EyeReport {
     }
 }
 
+impl EyeSpace {
+    fn to_text(&self) -> String {
+        let mut text = format!("seen volume {}\n", self.volume.0);
+        for region in &self.regions {
+            let vertices: Vec<String> = region.vertices.iter().map(tuple).collect();
+            let faces: Vec<String> = region.faces.iter().map(|face| list(face)).collect();
+            text.push_str(&format!(
+                "region of {}{}: volume {}\n  vertices {}\n  faces {}\n",
+                region.cell,
+                through(&region.portals),
+                region.volume.0,
+                vertices.join(" "),
+                faces.join(", ")
+            ));
+        }
+        text
+    }
+}
+
+impl EyeObject {
+    fn to_text(&self) -> String {
+        let line = self.line.map(|line| format!(" of line {line}")).unwrap_or_default();
+        format!(
+            "object {} `{}`{line} in {}{}: {}\n",
+            self.object,
+            self.name.escape_debug(),
+            self.cell,
+            through(&self.portals),
+            tuple(&self.point)
+        )
+    }
+}
+
+/// ` through 1 2`, or nothing for no portals.
+fn through(portals: &[u32]) -> String {
+    if portals.is_empty() { String::new() } else { format!(" through {}", list(portals)) }
+}
+
 fn list(portals: &[u32]) -> String {
     portals.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
 }
 
-fn tuple([x, y, z]: &[Ratio; 3]) -> String {
+/// A point as canonical text shows it.
+pub(super) fn tuple([x, y, z]: &[Ratio; 3]) -> String {
     format!("({} {} {})", x.0, y.0, z.0)
 }

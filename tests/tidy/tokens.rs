@@ -24,6 +24,8 @@ const BANS: &[Ban] = &[
             "src/geom/point.rs",
             "src/geom/line.rs",
             "src/geom/plane.rs",
+            // Files of meshes hold floats: written to the nearest, with the displacement told.
+            "src/formats/mesh.rs",
             // For display.
             "src/num/surd.rs",
             // Shares, times and estimates, for display.

@@ -1,8 +1,7 @@
 //! Writing portal files: PRT1, as every reader knows it.
 
 use super::PrtPortal;
-use crate::num::{Int, Rational};
-use num_integer::Integer;
+use crate::num::{Rational, format_decimal};
 use std::io::{self, Write};
 
 /// Why a portal file could not be written.
@@ -50,7 +49,7 @@ fn line(
         line.push_str(" (");
         for coordinate in point {
             let value = coordinate.to_rational();
-            match decimal(&value) {
+            match format_decimal(&value) {
                 Some(text) => line.push_str(&format!("{text} ")),
                 None => return Err(PrtWriteError::NoDecimal { portal, vertex, got: value }),
             }
@@ -58,32 +57,6 @@ fn line(
         line.push(')');
     }
     Ok(line)
-}
-
-/// The finite decimal equal to `value`, if there is one: if no prime but 2 and 5 divides its
-/// denominator.
-fn decimal(value: &Rational) -> Option<String> {
-    let mut rest = value.denom().clone();
-    let mut digits = 0;
-    for prime in [2, 5] {
-        let prime = Int::from(prime);
-        let mut power = 0;
-        while rest.is_multiple_of(&prime) {
-            rest /= &prime;
-            power += 1;
-        }
-        digits = digits.max(power);
-    }
-    if rest != Int::from(1) {
-        return None;
-    }
-    let scaled = (value * Int::from(10).pow(digits)).to_integer();
-    let digits = digits as usize;
-    let sign = if scaled < Int::ZERO { "-" } else { "" };
-    let text = format!("{:0>width$}", scaled.magnitude(), width = digits + 1);
-    let (whole, fraction) = text.split_at(text.len() - digits);
-    let point = if digits > 0 { "." } else { "" };
-    Some(format!("{sign}{whole}{point}{fraction}"))
 }
 
 #[cfg(test)]
