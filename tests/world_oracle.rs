@@ -1,4 +1,4 @@
-//! Worlds of solids: cells, portals and visibility against segments through the solids themselves,
+//! Worlds of solids and polygons: cells, portals and visibility against segments through the occluders themselves,
 //! and what must not change them.
 //!
 //! A point on the common boundary of cells counts for each of them: where it is free and sees
@@ -8,14 +8,16 @@
 
 mod support;
 
-use stabline::geom::{BigPlane, RationalPoint3};
+use stabline::geom::{AxialBox, BigPlane, RationalPoint3};
 use stabline::num::Rational;
 use stabline::oracle::{Occluders, Random, middle_within};
 use stabline::portal::{WorldCells, WorldError, cells_of_world};
 use stabline::pvs;
 use stabline::report::{Matrix, Silent, Verdict};
 use stabline::subdivision;
-use support::worlds::{Affine, Case, Family, half_space, of_family, random_mean, random_point};
+use support::worlds::{
+    Affine, Case, Family, half_space, of_family, random_mean, random_point, random_polygon,
+};
 
 /// A world's cells, which see which, and for each pair that does two inner points that do.
 struct Seen {
@@ -157,7 +159,7 @@ fn check_sightlines(seen: &Seen, occluders: &Occluders, name: &str) {
         let located = points.each_ref().map(|point| seen.locate(point));
         assert_eq!(located, cells.map(|cell| Some(vec![cell])), "{name}");
         let stopped = occluders.between(&points[0], &points[1]);
-        assert_eq!(stopped, None, "{name}: solid {stopped:?} stops the sightline of {cells:?}");
+        assert_eq!(stopped, None, "{name}: occluder {stopped:?} stops the sightline of {cells:?}");
     }
     let size = seen.matrix.size();
     let open = seen.matrix.counts().open as usize;
@@ -225,6 +227,13 @@ fn the_order_of_the_solids_does_not_matter() {
         for i in (1..other.solids.len()).rev() {
             other.solids.swap(i, random.between(0, i as i64) as usize);
         }
+        other.polygons.reverse();
+        for polygon in &mut other.polygons {
+            polygon.rotate_left(1);
+            if random.one_in(2) {
+                polygon.reverse();
+            }
+        }
         for solid in &mut other.solids {
             let faces = solid.len() as i64;
             solid.rotate_left(random.between(0, faces - 1) as usize);
@@ -243,7 +252,7 @@ fn affine_maps_do_not_matter() {
 }
 
 #[test]
-fn a_solid_in_two_parts_or_with_more_planes_is_the_same_solid() {
+fn occluders_in_two_parts_or_with_more_planes_are_the_same() {
     for (name, family, seed) in cases(3) {
         let case = Case::closed(family, seed);
         let mut random = Random::new(seed);
@@ -261,17 +270,27 @@ fn a_solid_in_two_parts_or_with_more_planes_is_the_same_solid() {
         let last = other.solids.len() - 1;
         let again = other.solids[last][0].clone();
         other.solids[last].extend([half_space(normal, 99), again]);
+        // Polygons of four corners as two triangles.
+        for polygon in case.polygons.iter().filter(|polygon| polygon.len() == 4) {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|i| polygon[i].clone());
+            other.polygons.retain(|other| other != polygon);
+            other.polygons.extend([vec![a.clone(), b, c.clone()], vec![a, c, d]]);
+        }
         same(&case, &other, &Affine::identity(), &name);
     }
 }
 
 #[test]
-fn adding_a_solid_opens_nothing() {
+fn adding_an_occluder_opens_nothing() {
     let mut closed = 0;
     for (name, family, seed) in cases(3) {
         let case = Case::closed(family, seed);
         let mut more = case.clone();
-        more.solids.extend(of_family(&mut Random::new(seed ^ 0xadd), family));
+        let mut random = Random::new(seed ^ 0xadd);
+        match family {
+            Family::Polygons => more.polygons.push(random_polygon(&mut random)),
+            _ => more.solids.extend(of_family(&mut random, family)),
+        }
         let Some(seen) = Seen::of(&case) else { panic!("{name}: no cells") };
         // A solid that buries all marks leaves nothing to compare.
         let Some(with) = Seen::of(&more) else { continue };
@@ -292,6 +311,38 @@ fn adding_a_solid_opens_nothing() {
         }
     }
     assert!(closed > 0, "no solid ever hid anything");
+}
+
+#[test]
+fn a_view_cuts_off_what_is_outside_and_nothing_else() {
+    let mut outside = 0;
+    for (name, family, seed) in cases(3) {
+        let case = Case::open(family, seed);
+        let mut part = case.clone();
+        let quarters = |numbers: [i64; 3]| numbers.map(|n| Rational::new(n.into(), 4.into()));
+        let view = AxialBox { low: quarters([1, 4, -6]), high: quarters([19, 24, 17]) };
+        part.view = Some(view.clone());
+        let (Some(whole), Some(seen)) = (Seen::of(&case), Seen::of(&part)) else {
+            panic!("{name}: no cells")
+        };
+        check_sightlines(&seen, &part.occluders(), &name);
+        implies(&seen, &whole, &Affine::identity(), &name);
+        for Pair { points, .. } in &whole.pairs {
+            let within = |point: &RationalPoint3| {
+                let at = point.coordinates();
+                (0..3).all(|i| view.low[i] <= at[i] && at[i] <= view.high[i])
+            };
+            match points.iter().all(within) {
+                true => seen.must_see([&points[0], &points[1]], &name),
+                false => outside += 1,
+            }
+        }
+        let solid = seen.cells.subdivision.leaves.iter().filter(|leaf| leaf.solid);
+        let volume = solid.map(|leaf| leaf.cell.volume()).sum::<Rational>() + seen.free_volume();
+        let size = (0..3).map(|i| &view.high[i] - &view.low[i]);
+        assert_eq!(volume, size.product::<Rational>(), "{name}");
+    }
+    assert!(outside > 0, "no view cut anything off");
 }
 
 /// The cell of `whole` that holds all of a cell of `part`, if one does.

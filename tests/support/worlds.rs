@@ -6,10 +6,11 @@
 //! - [`Family::Walls`]: walls across the whole room that leave slits and doors.
 //! - [`Family::Slivers`]: thin wedges and needles whose planes are nearly parallel.
 //! - [`Family::Simplices`]: tetrahedra with grid points as vertices.
+//! - [`Family::Polygons`]: polygons without volume, and a box or two.
 
 use super::graphs::integer;
 use num_traits::{One, Zero};
-use stabline::geom::{BigPlane, BigPoint3, RationalPoint3};
+use stabline::geom::{AxialBox, BigPlane, BigPoint3, RationalPoint3};
 use stabline::num::{Int, Rational};
 use stabline::oracle::{Occluders, Random};
 use stabline::scene::World;
@@ -26,11 +27,18 @@ pub enum Family {
     Walls,
     Slivers,
     Simplices,
+    Polygons,
 }
 
 impl Family {
-    pub const ALL: [Family; 5] =
-        [Family::Boxes, Family::Cut, Family::Walls, Family::Slivers, Family::Simplices];
+    pub const ALL: [Family; 6] = [
+        Family::Boxes,
+        Family::Cut,
+        Family::Walls,
+        Family::Slivers,
+        Family::Simplices,
+        Family::Polygons,
+    ];
 }
 
 /// A world, to be changed and then divided.
@@ -46,6 +54,8 @@ pub struct Case {
     pub polygons: Vec<Vec<RationalPoint3>>,
     /// The marks of the inside, or none where everything is asked about.
     pub marks: Vec<RationalPoint3>,
+    /// The box asked about, where that is not everything.
+    pub view: Option<AxialBox>,
 }
 
 /// The inside of the closed rooms reaches from 0 to here on each axis.
@@ -81,15 +91,22 @@ impl Case {
 
     fn open_with(random: &mut Random, family: Family) -> Case {
         let mut solids: Vec<Planes> = Vec::new();
-        for _ in 0..random.between(1, 7) {
+        let mut polygons: Vec<Vec<RationalPoint3>> = Vec::new();
+        let most = if family == Family::Polygons { 2 } else { 7 };
+        for _ in 0..random.between(1, most) {
             if !solids.is_empty() && random.one_in(10) {
                 solids.push(solids[random.between(0, solids.len() as i64 - 1) as usize].clone());
             } else {
                 solids.extend(of_family(random, family));
             }
         }
+        if family == Family::Polygons {
+            for _ in 0..random.between(1, 7) {
+                polygons.push(random_polygon(random));
+            }
+        }
         let (flat, marks) = (vec![cuboid([1, 1, 2], [4, 4, 2])], Vec::new());
-        Case { solids, flat, hints: Vec::new(), polygons: Vec::new(), marks }
+        Case { solids, flat, hints: Vec::new(), polygons, marks, view: None }
     }
 
     /// The solids that have volume, and the polygons.
@@ -124,11 +141,11 @@ impl Case {
             hints: self.hints.iter().map(hint).collect(),
             objects: Vec::new(),
             inside,
-            view: None,
+            view: self.view.clone(),
         }
     }
 
-    /// The same world, every point moved.
+    /// The same world, every point moved; it must have no view.
     pub fn mapped(&self, map: &Affine) -> Case {
         let planes =
             |solid: &Planes| -> Planes { solid.iter().map(|plane| map.of_plane(plane)).collect() };
@@ -140,6 +157,7 @@ impl Case {
             hints: self.hints.iter().map(planes).collect(),
             polygons: self.polygons.iter().map(points).collect(),
             marks: points(&self.marks),
+            view: None,
         }
     }
 }
@@ -246,11 +264,38 @@ pub fn random_point(random: &mut Random, denominator: i64) -> RationalPoint3 {
 /// A solid with volume, or two.
 pub fn of_family(random: &mut Random, family: Family) -> Vec<Planes> {
     match family {
-        Family::Boxes => vec![random_box(random, 3)],
+        Family::Boxes | Family::Polygons => vec![random_box(random, 3)],
         Family::Cut => vec![cut_box(random)],
         Family::Walls => wall(random),
         Family::Slivers => vec![sliver(random)],
         Family::Simplices => vec![simplex(random)],
+    }
+}
+
+/// A rectangle across an axis, a parallelogram, or a triangle, on grid points.
+pub fn random_polygon(random: &mut Random) -> Vec<RationalPoint3> {
+    let whole = |corner: [i64; 3]| RationalPoint3::new(corner.map(Int::from), Int::from(1));
+    let grid_point = |random: &mut Random| [(); 3].map(|()| random.between(0, REACH));
+    if random.one_in(2) {
+        let axis = random.between(0, 2) as usize;
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let low = [(); 3].map(|()| random.between(0, REACH - 1));
+        let mut corners = [low; 4];
+        let [u, v] = [i, j].map(|k| random.between(low[k] + 1, REACH));
+        (corners[1][i], corners[2][i]) = (u, u);
+        (corners[2][j], corners[3][j]) = (v, v);
+        return corners.map(whole).into();
+    }
+    loop {
+        let [a, b, c] = [(); 3].map(|()| grid_point(random));
+        let minor =
+            |i: usize, j: usize| (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+        if [minor(0, 1), minor(1, 2), minor(2, 0)] == [0; 3] {
+            continue;
+        }
+        let fourth = [0, 1, 2].map(|i| a[i] + c[i] - b[i]);
+        let corners = if random.one_in(2) { vec![a, b, c] } else { vec![a, b, c, fourth] };
+        return corners.into_iter().map(whole).collect();
     }
 }
 
