@@ -7,7 +7,7 @@
 //! time after which this fails at once; a move without one is free. `docs/motion.md` has every
 //! borderline case.
 //!
-//! Algorithm (Carr 2004, on collision detection, made exact). All sets that matter are convex, so
+//! Algorithm (Carr 2004, on moves through the graph, made exact). All sets that matter are convex, so
 //! that a straight move is in each of them for one interval of time, with rational ends (`path`). A
 //! point's way is the search for the earliest entry into each cell through the closed portals
 //! (`point`). A box is held against the bodies near the cells that it may come to, which a flood
