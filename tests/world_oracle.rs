@@ -1,5 +1,5 @@
-//! Worlds of solids and polygons: cells, portals and visibility against segments through the occluders themselves,
-//! and what must not change them.
+//! Worlds of solids and polygons: cells, portals and visibility against segments through the
+//! occluders themselves, and what must not change them.
 //!
 //! A point on the common boundary of cells counts for each of them: where it is free and sees
 //! another point, so does all that is near it, and each of the cells has some of that.
