@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// Move a point or an axial box in a straight line, up to the first contact
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The world: a level's source (`.map`), or geometry (JSON, `.obj`, glTF)
+    /// The world, as a level's source (`.map`)
     input: PathBuf,
     #[command(flatten)]
     world: WorldArgs,
@@ -40,7 +40,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     };
     let input = Input::read(&args.input)?;
     if !world::is_world(&input) {
-        let what = "a portal graph has no walls to meet, expected a world";
+        let what = "a portal graph has no walls to meet, expected a world (`.map`)";
         return Err(Failure::file(&input.name, what));
     }
     let (world, cells) = world::divided(&input, &args.world, &Silent)?;

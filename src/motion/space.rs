@@ -74,7 +74,7 @@ impl Gate {
 
 impl Space<'_> {
     /// Prepares a world and its cells, which must be those of
-    /// [`cells_of_world`](crate::portal::cells_of_world), with portals that are not hulls.
+    /// [`cells_of_world`](crate::portal::cells_of_world).
     pub fn new<'a>(world: &World, cells: &'a WorldCells) -> Space<'a> {
         let subdivision = &cells.subdivision;
         let mut planes = subdivision.planes.clone();

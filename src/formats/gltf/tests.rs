@@ -153,14 +153,14 @@ fn errors_name_the_element_and_the_rule() {
     for (from, to, expected) in [
         (r#""count": 3,"#, r#""count": 4,"#, "accessors[0]: 36 bytes are there, expected 48"),
         (r#""count": 3}"#, r#""count": 4}"#, "accessors[1]: 3 bytes are there, expected 4"),
-        (r#""byteLength": 36"#, r#""byteLength": 99"#, "bufferViews[0]: 39 bytes are there"),
+        (r#""byteLength": 36"#, r#""byteLength": 99"#, "bufferViews[0]: 40 bytes are there"),
         ("VEC3", "VEC2", "accessors[0]: positions that are not three 32-bit floats"),
         ("5121", "5126", "accessors[1]: indices that are not unsigned integers"),
         (r#""indices": 1"#, r#""indices": 7"#, "meshes[0].primitives[0].indices: "),
         (r#"{"nodes": [0]}"#, "", "scenes: the file has no scene"),
         (r#"[{"mesh": 0}]"#, r#"[{"mesh": 0, "children": [0]}]"#, "nodes[0]: the node has two"),
         (r#"{"mesh": 0}"#, r#"{"mesh": 0, "rotation": [0,0,0,0]}"#, "nodes[0]: the rotation's"),
-        ("AAAAA", "////", "coordinate"),
+        ("AAAAAA", "/////w", "accessors[0]: coordinate 0 of element 0"),
         (";base64", "", "buffers[0]: the buffer's bytes are not at hand: its data URI is not"),
     ] {
         assert!(text.contains(from), "{from}");
