@@ -331,7 +331,8 @@ fn odd_levels_give_cells_and_sightlines_or_an_error() {
     };
     let (first, count) = (setting("STABLINE_SEED", 0), setting("STABLINE_WORLDS", 120));
     let mut outcome = Outcome::default();
-    for seed in first..first + count {
+    // In level 2302 a hint ends where the box ends.
+    for seed in (first..first + count).chain([2302]) {
         let case = Case(seed);
         check(&Source::level(seed), &mut outcome);
         drop(case);

@@ -24,8 +24,7 @@ fuzz_target!(|bytes: &[u8]| {
         }
         Err(error) => assert!(matches!(
             error.kind,
-            BspErrorKind::ReadOnlyFormat(_)
-                | BspErrorKind::Overlap(_)
+            BspErrorKind::Overlap(_)
                 | BspErrorKind::NotReadBack
                 | BspErrorKind::LumpOutside { .. }
         )),
