@@ -7,15 +7,15 @@
 //! time after which this fails at once; a move without one is free. `docs/motion.md` has every
 //! borderline case.
 //!
-//! Algorithm (Carr 2004, on moves through the graph, made exact). All sets that matter are convex, so
-//! that a straight move is in each of them for one interval of time, with rational ends (`path`). A
-//! point's way is the search for the earliest entry into each cell through the closed portals
-//! (`point`). A box is held against the bodies near the cells that it may come to, which a flood
-//! through the portals near its way finds (`carried`), by the supporting half-spaces of their
+//! Algorithm (Carr 2004, on moves through the graph, made exact). All sets that matter are convex,
+//! so that a straight move is in each of them for one interval of time, with rational ends
+//! (`path`). A point's way is the search for the earliest entry into each cell through the closed
+//! portals (`point`). A box is held against the bodies near the cells that it may come to, which a
+//! flood through the portals near its way finds (`carried`), by the supporting half-spaces of their
 //! Minkowski sum (`body`).
 //!
 //! Complexity of a move: O((c + g) log g) comparisons and O(f) half-spaces, for the c cells on the
-//! way, their g portals and the f faces of both; a box pays for the bodies near these cells as well.
+//! way, their g portals and the f faces of both; a box pays for the bodies near these cells too.
 
 mod body;
 mod carried;
