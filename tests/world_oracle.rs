@@ -322,7 +322,8 @@ fn a_view_cuts_off_what_is_outside_and_nothing_else() {
         // Every other view lies flush with faces.
         let unit = [1, 4][(seed % 2) as usize];
         let over = |numbers: [i64; 3]| numbers.map(|n| Rational::new(n.into(), unit.into()));
-        let (low, high) = if unit == 1 { ([0, 1, -1], [5, 6, 4]) } else { ([1, 4, -6], [19, 24, 17]) };
+        let (low, high) =
+            if unit == 1 { ([0, 1, -1], [5, 6, 4]) } else { ([1, 4, -6], [19, 24, 17]) };
         let view = AxialBox { low: over(low), high: over(high) };
         part.view = Some(view.clone());
         let (Some(whole), Some(seen)) = (Seen::of(&case), Seen::of(&part)) else {
