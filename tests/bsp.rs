@@ -137,3 +137,30 @@ fn conservative_portals_say_so() {
     let run = stabline(root(), &["bsp", SCENE, "--portals", "exact"]);
     assert!(!stdout(&run).contains("conservative"));
 }
+
+/// What is computed of cells that were made otherwise does not fit, and is not called exact.
+#[test]
+fn results_tell_how_geometry_was_divided() {
+    let folder = tempfile::tempdir().unwrap();
+    let (part, result) = (folder.path().join("part"), folder.path().join("result.json"));
+    let (part, result) = (part.to_str().unwrap(), result.to_str().unwrap());
+    let scene = "scenes/world/coplanar_polygons_slit.json";
+    let run = |arguments: &[&str]| stabline(root(), &[&["pvs", scene], arguments].concat());
+    let first = run(&["--margin", "8", "--shard", "1/2", "-o", part]);
+    assert_eq!(first.status.code(), Some(0), "{}", stderr(&first));
+    assert_fails(&run(&["--merge", part]), 3, "read or divided otherwise");
+    assert_eq!(run(&["--margin", "8", "--merge", part]).status.code(), Some(0));
+    let hulls = run(&["--portals", "hull", "-o", result]);
+    assert_eq!(hulls.status.code(), Some(0), "{}", stderr(&hulls));
+    let written = fs::read_to_string(result).unwrap();
+    assert!(written.contains(r#""options": {"grazing": false, "reading": "--portals hull"}"#));
+    assert!(stdout(&run(&["--portals", "hull"])).contains("open pairs are an upper bound"));
+    for command in [
+        ["eye", "--at", "1,1,1"].as_slice(),
+        &["move", "--from", "1,1,1", "--to", "2,2,2"],
+        &["why", "0", "1"],
+    ] {
+        let arguments = [&[command[0], scene], &command[1..], &["--portals", "hull"]].concat();
+        assert_fails(&stabline(root(), &arguments), 2, "hulls run across occluders");
+    }
+}

@@ -12,7 +12,12 @@ use support::witness;
 
 fn header() -> PartHeader {
     let program = PvsReport::this_program();
-    PartHeader { program, input: InputId::new("graph.prt", b""), budget: None }
+    PartHeader {
+        program,
+        input: InputId::new("graph.prt", b""),
+        reading: String::new(),
+        budget: None,
+    }
 }
 
 /// A part with rows of every kind: the text of a random graph's.

@@ -85,7 +85,12 @@ fn threads_and_repetition_change_no_byte() {
 
 fn header() -> PartHeader {
     let program = PvsReport::this_program();
-    PartHeader { program, input: InputId::new("graph.prt", b""), budget: None }
+    PartHeader {
+        program,
+        input: InputId::new("graph.prt", b""),
+        reading: String::new(),
+        budget: None,
+    }
 }
 
 /// Rows through the text of a part.

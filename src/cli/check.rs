@@ -119,6 +119,7 @@ fn read_golden(golden: &Input, input: Option<&std::path::Path>) -> Result<PvsRep
     Ok(PvsReport {
         program: String::new(),
         input: InputId::new(&file.file_name(), &file.bytes),
+        reading: String::new(),
         grazing_classified: matrix.counts().grazing > 0,
         leaf_to_cell: graph.leaf_to_cell.iter().map(|cell| cell.0).collect(),
         cells: graph.cells,

@@ -59,6 +59,36 @@ fn weight() -> clap::builder::RangedI64ValueParser<i64> {
 }
 
 impl DivisionArgs {
+    /// The options that are not the default, as they are written.
+    pub(super) fn stated(&self) -> Vec<String> {
+        let default = Options::default();
+        let number = |name: &str, value: i64, default: i64| {
+            (value != default).then(|| format!("--{name} {value}"))
+        };
+        let text = |name: &str, value: &Option<String>| {
+            value.as_ref().map(|value| format!("--{name} {}", value.trim()))
+        };
+        let (weights, shape) = (&default.weights, self.shape());
+        let stated = [
+            (Int::from(self.margin) != default.margin).then(|| format!("--margin {}", self.margin)),
+            text("obscuration", &self.obscuration),
+            number("reward-coplanar", self.reward_coplanar, weights.coplanar),
+            number("charge-cut", self.charge_cut, weights.cut),
+            number("charge-imbalance", self.charge_imbalance, weights.imbalance),
+            number("reward-axial", self.reward_axial, weights.axial),
+            number("samples", self.samples.into(), default.samples as i64),
+            text("largest-volume", &self.largest_volume),
+            text("largest-aspect", &self.largest_aspect),
+            (shape.0 != default.portals).then(|| format!("--portals {}", shape.1)),
+        ];
+        stated.into_iter().flatten().collect()
+    }
+
+    /// Whether portals may run across occluders.
+    pub(super) fn is_conservative(&self) -> bool {
+        self.portals == Shape::Hull
+    }
+
     /// The options.
     pub(super) fn options(&self) -> Result<Options, Failure> {
         let (zero, one) = (Rational::from(Int::ZERO), Rational::from(Int::from(1)));

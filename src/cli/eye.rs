@@ -97,6 +97,7 @@ impl Args {
 type Seen = (EyeReport, Vec<MeshGroup>);
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    args.world.refuse_hulls()?;
     let eye = point("--at", &args.at)?;
     let lens = lens(&args)?;
     if args.needs_regions() && args.cull != Method::Exact {

@@ -33,6 +33,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    args.world.refuse_hulls()?;
     let motion = Move {
         from: point("--from", &args.from)?,
         to: point("--to", &args.to)?,

@@ -166,7 +166,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         .iter()
         .any(|path| path.as_deref() == Some("-".as_ref()));
     if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
-        files::print(&summary::summary(&graph, &report, objects.as_ref(), &finished, args.json))?;
+        files::print(&summary::summary(&graph, &report, objects.as_ref(), &finished, &args))?;
     }
     if args.stats {
         summary::print_stats(&clock, &graph, &finished);
@@ -183,6 +183,8 @@ fn part_header(args: &Args, input: &Input) -> PartHeader {
     PartHeader {
         program: PvsReport::this_program(),
         input: InputId::new(&input.file_name(), &input.bytes),
+        // Of a portal graph these options change nothing.
+        reading: if world::is_world(input) { args.world.stated() } else { String::new() },
         budget: args.budget,
     }
 }
@@ -233,6 +235,7 @@ fn report(args: &Args, graph: &PortalGraph, header: PartHeader, finished: &Finis
     PvsReport {
         program: header.program,
         input: header.input,
+        reading: header.reading,
         grazing_classified: false,
         cells: graph.cells.clone(),
         leaf_to_cell: graph.leaf_to_cell.iter().map(|cell| cell.0).collect(),

@@ -30,6 +30,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    args.world.refuse_hulls()?;
     let input = Input::read(&args.input)?;
     let watch = Watch::new(args.progress.reporter(), None);
     let graph = world::read_graph(&input, &args.world, &watch)?;

@@ -39,6 +39,33 @@ impl WorldArgs {
     }
 }
 
+impl WorldArgs {
+    /// The options that are not the default, as they are written: what else than the input's bytes
+    /// its cells depend on.
+    pub(super) fn stated(&self) -> String {
+        let mut stated = Vec::new();
+        if self.opaque_liquids {
+            stated.push("--opaque-liquids".to_owned());
+        }
+        if self.keep_digits {
+            stated.push("--keep-digits".to_owned());
+        }
+        stated.extend(self.snap_input.map(|decimals| format!("--snap-input {decimals}")));
+        stated.extend(self.division.stated());
+        stated.join(" ")
+    }
+
+    /// Refuses portals that may run across occluders, for whoever would call exact what is not.
+    pub(super) fn refuse_hulls(&self) -> Result<(), Failure> {
+        match self.division.is_conservative() {
+            true => Err(Failure::usage(
+                "--portals hull: hulls run across occluders, and the answer is exact",
+            )),
+            false => Ok(()),
+        }
+    }
+}
+
 /// Whether the input is a world, and not a portal graph.
 pub(super) fn is_world(input: &Input) -> bool {
     match InputKind::of(&input.name, &input.bytes) {

@@ -22,6 +22,8 @@ pub struct PartHeader {
     pub program: String,
     /// The input.
     pub input: InputId,
+    /// The options with which the input was read and divided, where they are not the default.
+    pub reading: String,
     /// The budget that the rows were computed with.
     pub budget: Option<u64>,
 }
@@ -51,6 +53,8 @@ struct HeaderLine {
     format: String,
     program: String,
     input: InputLine,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    reading: String,
     budget: Option<u64>,
 }
 
@@ -87,6 +91,7 @@ impl PartHeader {
             format: FORMAT.to_owned(),
             program: self.program.clone(),
             input: InputLine { name: self.input.name.clone(), blake3: self.input.blake3.clone() },
+            reading: self.reading.clone(),
             budget: self.budget,
         };
         Ok(serde_json::to_string(&line)? + "\n")
@@ -98,7 +103,8 @@ impl PartHeader {
             return Err(format!("format {:?}, expected {FORMAT:?}", line.format));
         }
         let input = InputId { name: line.input.name, blake3: line.input.blake3 };
-        Ok(PartHeader { program: line.program, input, budget: line.budget })
+        let (program, reading, budget) = (line.program, line.reading, line.budget);
+        Ok(PartHeader { program, input, reading, budget })
     }
 }
 

@@ -28,6 +28,8 @@ pub struct PvsReport {
     pub program: String,
     /// Which input this is the result of.
     pub input: InputId,
+    /// The options with which the input was read and divided, where they are not the default.
+    pub reading: String,
     /// Whether the pairs that are not open were split into grazing and blocked.
     pub grazing_classified: bool,
     /// The names of the cells.

@@ -153,12 +153,14 @@ fn read_part(path: &Path, header: &PartHeader, graph: &PortalGraph) -> Result<Ve
     let part = Part::read(text, graph)
         .map_err(|error| Failure::file(&format!("{}:{}", input.name, error.line), error))?;
     if part.header.input.blake3 != header.input.blake3
+        || part.header.reading != header.reading
         || part.header.budget != header.budget
         || part.header.program != header.program
     {
         return Err(Failure::file(
             &format!("{}:1", input.name),
-            "the part of another input, another budget or another version of the program",
+            "the part of another input, read or divided otherwise, of another budget or another version \
+             of the program",
         ));
     }
     Ok(part.rows)

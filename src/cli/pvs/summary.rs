@@ -1,5 +1,6 @@
 //! What `stabline pvs` tells of a result and of how it came about.
 
+use super::Args;
 use crate::pvs::Finished;
 use crate::report::{ObjectsReport, PvsReport};
 use crate::scene::{CellOrder, PortalGraph};
@@ -33,15 +34,16 @@ pub(super) fn summary(
     report: &PvsReport,
     objects: Option<&ObjectsReport>,
     finished: &Finished,
-    json: bool,
+    args: &Args,
 ) -> String {
     let counts = report.matrix.counts();
     let order = CellOrder::new(graph);
     let cells = graph.cells.len() as u64;
-    if json {
+    if args.json {
         let mut value = serde_json::json!({
             "format": "stabline-pvs-summary/1",
             "input": {"name": report.input.name, "blake3": report.input.blake3},
+            "reading": report.reading,
             "cells": cells,
             "portals": graph.portals.len(),
             "skew_portals": graph.skew_portals,
@@ -80,6 +82,9 @@ pub(super) fn summary(
     }
     text += "ordered pairs of cells, each cell with itself included; every open pair has an exact \
              sightline\n";
+    if args.world.division.is_conservative() {
+        text += "portals are hulls that may run across occluders: open pairs are an upper bound\n";
+    }
     text + &objects.map(super::objects::summary).unwrap_or_default()
 }
 

@@ -86,6 +86,7 @@ impl PvsReport {
         Ok(PvsReport {
             program: report.program,
             input: InputId { name: report.input.name, blake3: report.input.blake3 },
+            reading: report.options.reading,
             grazing_classified: report.options.grazing,
             cells: report.cells,
             leaf_to_cell: report.leaf_to_cell,

@@ -10,6 +10,7 @@ fn sample() -> PvsReport {
     PvsReport {
         program: "stabline 0.0.0".to_owned(),
         input: InputId::new("x \"1\".prt", b"some bytes"),
+        reading: String::new(),
         grazing_classified: true,
         cells: ["0", "hall\n", "ü"].map(str::to_owned).to_vec(),
         leaf_to_cell: vec![0, 0, 2, 1],

@@ -53,6 +53,10 @@ pub(super) struct Input {
 pub(super) struct Options {
     /// Whether pairs that are not open were split into grazing and blocked.
     pub grazing: bool,
+    /// The options with which the input was read and divided into cells, where they are not the
+    /// default; with `--portals hull` open pairs are an upper bound.
+    #[serde(default)]
+    pub reading: String,
 }
 
 /// How many ordered pairs have each verdict.

@@ -40,7 +40,11 @@ impl PvsReport {
         write!(text, "{{\"format\": \"{FORMAT}\",\n\"program\": {},\n", quoted(&self.program)?)?;
         let (name, hash) = (quoted(&self.input.name)?, quoted(&self.input.blake3)?);
         writeln!(text, "\"input\": {{\"name\": {name}, \"blake3\": {hash}}},")?;
-        writeln!(text, "\"options\": {{\"grazing\": {}}},", self.grazing_classified)?;
+        let reading = match self.reading.is_empty() {
+            true => String::new(),
+            false => format!(", \"reading\": {}", quoted(&self.reading)?),
+        };
+        writeln!(text, "\"options\": {{\"grazing\": {}{reading}}},", self.grazing_classified)?;
         text.extend_from_slice(b"\"cells\": [");
         for (index, cell) in self.cells.iter().enumerate() {
             text.extend_from_slice(if index == 0 { b"" } else { b", " });
