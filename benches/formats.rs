@@ -55,6 +55,7 @@ fn result(cells: usize) -> PvsReport {
     PvsReport {
         program: PvsReport::this_program(),
         input: InputId::new("bench.prt", b""),
+        reading: String::new(),
         grazing_classified: false,
         cells: (0..cells).map(|cell| cell.to_string()).collect(),
         leaf_to_cell: (0..cells as u32).collect(),

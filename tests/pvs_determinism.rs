@@ -24,6 +24,7 @@ fn text(graph: &PortalGraph, finished: &Finished) -> String {
     let report = PvsReport {
         program: PvsReport::this_program(),
         input: InputId::new("graph.prt", b""),
+        reading: String::new(),
         grazing_classified: false,
         cells: graph.cells.clone(),
         leaf_to_cell: graph.leaf_to_cell.iter().map(|cell| cell.0).collect(),

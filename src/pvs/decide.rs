@@ -11,7 +11,7 @@ use super::arena::{Arena, Directed};
 use super::propose::{ConePoint, FrameLine, Proposal, RoughLines, SequenceCone};
 use super::sightline::{Ray, Sightline};
 use crate::num::Int;
-use crate::stab::{EdgeCone, EdgeLines, Stabber, Witness, six_edges_exclude_lines};
+use crate::stab::{EdgeCone, EdgeLines, Frame, Stabber, Witness, six_edges_exclude_lines};
 
 /// Whether a sequence is open.
 pub(crate) enum Decision {
@@ -140,12 +140,13 @@ impl<'a> Decider<'a> {
             let edge = self.cone.edge(place);
             (&*portals[edge.position], edge.edge)
         };
+        let frame = Frame::near(&portals[0].vertices()[0].coordinates, &per_world);
         if let Some(six) = self.cone.six(&places)
-            && six_edges_exclude_lines(six.map(edge))
+            && six_edges_exclude_lines(six.map(edge), &frame)
         {
             return Few::NotOpen;
         }
-        let mut cone = EdgeCone::new(&portals[0].vertices()[0].coordinates);
+        let mut cone = EdgeCone::new(frame);
         places.iter().for_each(|&place| cone.push(edge(place)));
         while places.len() <= MOST_EDGES {
             let ends = match cone.lines() {
@@ -172,7 +173,7 @@ impl<'a> Decider<'a> {
     fn decide_exactly(&self, path: &[Directed], tally: &mut Tally) -> Decision {
         tally.cones += 1;
         let (portals, per_world) = self.arena.exact_portals(path);
-        let mut stabber = Stabber::new();
+        let mut stabber = Stabber::in_units(&per_world);
         for (i, portal) in portals.iter().enumerate() {
             stabber.push(portal, i > 0 && self.arena.needs_order(path[i - 1], path[i]));
         }

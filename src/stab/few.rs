@@ -7,7 +7,7 @@ use super::cone::{Push, dot};
 use super::engine::{Engine, Range, in_range};
 use super::quadric::{Vector, signs_behind_triples};
 use super::ring::Ring;
-use super::sequence::Portal3;
+use super::sequence::{Frame, Portal3};
 use super::wedge::Wedge;
 use crate::num::{Int, Sign};
 
@@ -17,7 +17,7 @@ pub type PortalEdge<'a> = (&'a Portal3, usize);
 /// The `x` of R^6 on the positive side of some edges, which may grow in number.
 #[derive(Clone, Debug)]
 pub struct EdgeCone {
-    origin: [Int; 3],
+    frame: Frame,
     /// Marked as half-spaces that belong to no polygon: rule 5 looks behind every triple of them.
     rows: Vec<(Vector, bool)>,
     range: Range,
@@ -36,15 +36,14 @@ pub enum EdgeLines {
     Lineality,
 }
 
-/// A vector of R^6, scaled at will: direction and moment in grid units, about
-/// [`EdgeCone::origin`].
+/// A vector of R^6, scaled at will: direction and moment in [`EdgeCone::frame`].
 pub type Vector6 = [Int; 6];
 
 impl EdgeCone {
-    /// The whole of R^6; `origin`, near the edges to come, keeps their numbers small.
-    pub fn new(origin: &[Int; 3]) -> EdgeCone {
+    /// The whole of R^6; a frame near the edges to come keeps their numbers small.
+    pub fn new(frame: Frame) -> EdgeCone {
         EdgeCone {
-            origin: origin.clone(),
+            frame,
             rows: Vec::new(),
             range: Range::default(),
             cone: Engine::everything(),
@@ -52,14 +51,14 @@ impl EdgeCone {
         }
     }
 
-    /// The point that moments are taken about.
-    pub fn origin(&self) -> &[Int; 3] {
-        &self.origin
+    /// What vectors are measured in.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
     }
 
     /// Adds an edge.
     pub fn push(&mut self, (portal, edge): PortalEdge<'_>) {
-        let row = portal.edge_row(edge, &self.origin);
+        let row = portal.edge_row_in(edge, &self.frame);
         self.range = self.range.with(std::iter::once(&row));
         if self.strict {
             self.cone = self.cone.widened_for(self.range);
@@ -100,10 +99,11 @@ impl EdgeCone {
 /// 2 Q(x) = Σ side(r_i, r_j) t_i t_j. Where no two side(r_i, r_j) have opposite signs, Q(x) is not
 /// zero for t > 0: not all of them vanish, as the form has full rank.
 ///
+/// The frame, near the edges, keeps their numbers small.
+///
 /// Exact. The r_i are taken by Cramer's rule, five rows each (`ring` has the ranges).
-pub fn six_edges_exclude_lines(edges: [PortalEdge<'_>; 6]) -> bool {
-    let origin = &edges[0].0.vertices()[0].coordinates;
-    let rows = edges.map(|(portal, edge)| portal.edge_row(edge, origin));
+pub fn six_edges_exclude_lines(edges: [PortalEdge<'_>; 6], frame: &Frame) -> bool {
+    let rows = edges.map(|(portal, edge)| portal.edge_row_in(edge, frame));
     let range = Range::default().with(rows.iter());
     in_range!(range, R => sides_agree::<R>(&rows))
 }
@@ -184,9 +184,13 @@ mod tests {
                         0 => (&portals[i], 0),
                         _ => (&reversed[i], 1),
                     });
-                    if six_edges_exclude_lines(edges) {
+                    let corner = &portals[0].vertices()[0].coordinates;
+                    let excludes = six_edges_exclude_lines(edges, &Frame::about(corner));
+                    let coarse = Frame::near(corner, &Int::from(6));
+                    assert_eq!(excludes, six_edges_exclude_lines(edges, &coarse), "{edges:?}");
+                    if excludes {
                         excluded += 1;
-                        let mut cone = EdgeCone::new(&portals[0].vertices()[0].coordinates);
+                        let mut cone = EdgeCone::new(coarse);
                         edges.iter().for_each(|&edge| cone.push(edge));
                         assert_eq!(cone.lines(), EdgeLines::None, "{edges:?}");
                         cone.push((&triangle(&mut random, reach), 0));

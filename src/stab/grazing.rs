@@ -23,7 +23,7 @@ use super::closed::ClosedPortal;
 use super::engine::{Engine, Range};
 use super::line::{ExactLine, StabLine, meet_of_planes, slope_of};
 use super::quadric::{Vector, extremum_of_sign, quadric, side};
-use super::sequence::Portal3;
+use super::sequence::{Frame, Portal3};
 use super::stabber::{decide_open, rows_of};
 use super::witness::{plus, zero};
 use crate::geom::vector::{cross, dot};
@@ -42,7 +42,8 @@ pub(super) struct ClosedCone {
 impl ClosedCone {
     pub(super) fn new(portals: &[&Portal3]) -> ClosedCone {
         let origin = portals[0].vertices()[0].coordinates.clone();
-        let rows: Vec<_> = portals.iter().flat_map(|p| rows_of(p, None, &origin)).collect();
+        let frame = Frame::about(&origin);
+        let rows: Vec<_> = portals.iter().flat_map(|p| rows_of(p, None, &frame)).collect();
         let range = Range::default().with(rows.iter().map(|(row, _)| row));
         let mut engine = Engine::everything().widened_for(range);
         for (row, _) in &rows {

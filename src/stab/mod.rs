@@ -31,6 +31,6 @@ pub use extremal::{EdgeName, ExtremalLine};
 pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};
 pub use grazing::TouchingLine;
 pub use line::StabLine;
-pub use sequence::{Portal3, PortalError};
+pub use sequence::{Frame, Portal3, PortalError};
 pub use stabber::{ConeShape, Stabber, Verdict, decide_open};
 pub use witness::Witness;

@@ -48,6 +48,69 @@ pub enum PortalError {
     },
 }
 
+/// In what the vectors of lines are measured: moments about a point, in multiples of a unit.
+///
+/// A line's direction is in grid units. A grid that holds vertices of many denominators is fine,
+/// and edges' rows are long on it; in units as coarse as the input's own each row has only the
+/// digits of its edge. Signs of sides and of the quadric do not depend on the frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    origin: [Int; 3],
+    /// Invariant: positive.
+    unit: Int,
+}
+
+impl Default for Frame {
+    fn default() -> Frame {
+        Frame::about(&[Int::ZERO, Int::ZERO, Int::ZERO])
+    }
+}
+
+impl Frame {
+    /// Grid units, about a point.
+    pub fn about(origin: &[Int; 3]) -> Frame {
+        Frame { origin: origin.clone(), unit: Int::from(1) }
+    }
+
+    /// Multiples of `unit` grid units, about a multiple of the unit near a point.
+    ///
+    /// # Panics
+    /// If the unit is not positive.
+    pub fn near(point: &[Int; 3], unit: &Int) -> Frame {
+        assert!(*unit > Int::ZERO, "a unit is positive");
+        Frame { origin: point.each_ref().map(|c| c.div_floor(unit) * unit), unit: unit.clone() }
+    }
+
+    /// The point that moments are taken about, in grid units.
+    pub fn origin(&self) -> &[Int; 3] {
+        &self.origin
+    }
+
+    /// The unit of moments, in grid units.
+    pub fn unit(&self) -> &Int {
+        &self.unit
+    }
+
+    /// A multiple by a positive number of the row on vectors of this frame, where it is given on
+    /// those of grid units.
+    fn row(&self, row: [Int; 6]) -> [Int; 6] {
+        if self.unit == Int::from(1) {
+            return row;
+        }
+        // a·d + b·m = a·d + (unit b)·(m / unit).
+        let [ax, ay, az, bx, by, bz] = row;
+        let scaled = [ax, ay, az, bx * &self.unit, by * &self.unit, bz * &self.unit];
+        let divisor = scaled.iter().fold(Int::ZERO, |g, c| g.gcd(c));
+        if divisor == Int::ZERO { scaled } else { scaled.map(|c| c / &divisor) }
+    }
+
+    /// A multiple by a positive number of a vector of this frame, in grid units.
+    pub(super) fn on_grid(&self, vector: &[Int; 6]) -> [Int; 6] {
+        let [dx, dy, dz, mx, my, mz] = vector.clone();
+        [dx, dy, dz, mx * &self.unit, my * &self.unit, mz * &self.unit]
+    }
+}
+
 /// A planar convex polygon that lines cross in the direction of its right-hand normal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Portal3 {
@@ -141,6 +204,16 @@ impl Portal3 {
         let [mx, my, mz] = cross(&difference(&self.vertices[edge].coordinates, origin), direction);
         let [dx, dy, dz] = direction.clone();
         [mx, my, mz, dx, dy, dz]
+    }
+
+    /// A positive multiple of the edge's row, on vectors of a frame.
+    pub(super) fn edge_row_in(&self, edge: usize, frame: &Frame) -> [Int; 6] {
+        frame.row(self.edge_row(edge, &frame.origin))
+    }
+
+    /// A positive multiple of the order row, on vectors of a frame.
+    pub(super) fn order_row_in(&self, next: &Portal3, frame: &Frame) -> Option<[Int; 6]> {
+        Some(frame.row(self.order_row(next, &frame.origin)?.0))
     }
 
     /// How many primitive directions the edge is long.

@@ -18,7 +18,7 @@ use super::extremal::{self, ExtremalLine};
 use super::grazing::touching_line;
 use super::line::StabLine;
 use super::quadric::{BothSigns, Vector, signs_behind_triples};
-use super::sequence::Portal3;
+use super::sequence::{Frame, Portal3};
 use super::witness::{self, Interior, Witness};
 use crate::num::Int;
 
@@ -88,14 +88,20 @@ struct Level {
 #[derive(Clone, Debug, Default)]
 pub struct Stabber {
     levels: Vec<Level>,
-    /// A vertex of the first portal: coordinates are small relative to it.
-    origin: [Int; 3],
+    /// About a point near a vertex of the first portal: coordinates are small relative to it.
+    frame: Frame,
 }
 
 impl Stabber {
     /// The empty sequence, which every line stabs.
     pub fn new() -> Stabber {
         Stabber::default()
+    }
+
+    /// The empty sequence of portals whose grid is finer than what they are made of: numbers are
+    /// short in multiples of `unit` grid units.
+    pub fn in_units(unit: &Int) -> Stabber {
+        Stabber { levels: Vec::new(), frame: Frame::near(&Default::default(), unit) }
     }
 
     /// How many portals are pushed.
@@ -108,11 +114,11 @@ impl Stabber {
     /// Two portals in one plane are crossed in one point, so the order asks nothing of them.
     pub fn push(&mut self, portal: &Portal3, order: bool) {
         if self.levels.is_empty() {
-            self.origin = portal.vertices()[0].coordinates.clone();
+            self.frame = Frame::near(&portal.vertices()[0].coordinates, self.frame.unit());
         }
         let last = self.levels.last();
         let before = last.filter(|_| order).map(|level| &level.portal);
-        let rows = rows_of(portal, before, &self.origin);
+        let rows = rows_of(portal, before, &self.frame);
         let range = last.map(|level| level.range).unwrap_or_default();
         let range = range.with(rows.iter().map(|(row, _)| row));
         let mut strict = last.is_none_or(|level| level.strict);
@@ -155,8 +161,16 @@ impl Stabber {
         if lineality.is_empty() && !signs.found() {
             return None;
         }
-        let rays = level.cone.rays();
-        let interior = Interior { rays, lineality, signs, origin: self.origin.clone() };
+        let on_grid = |vector: &Vector| self.frame.on_grid(vector);
+        let interior = Interior {
+            rays: level.cone.rays().iter().map(on_grid).collect(),
+            lineality: lineality.iter().map(on_grid).collect(),
+            signs: BothSigns {
+                positive: signs.positive.as_ref().map(on_grid),
+                negative: signs.negative.as_ref().map(on_grid),
+            },
+            origin: self.frame.origin().clone(),
+        };
         Some(witness::find(interior, &self.portals(), &self.orders()))
     }
 
@@ -205,22 +219,23 @@ impl Stabber {
         let mut rows = Vec::new();
         for level in &self.levels {
             let previous = before.filter(|_| level.ordered);
-            rows.extend(rows_of(&level.portal, previous, &self.origin));
+            rows.extend(rows_of(&level.portal, previous, &self.frame));
             before = Some(&level.portal);
         }
         rows
     }
 }
 
-/// The rows of a portal's edges, and of its order after `before`; with a flag for the latter.
+/// The rows of a portal's edges, and of its order after `before`, with a flag for the latter; each
+/// a positive multiple on vectors of the frame.
 pub(super) fn rows_of(
     portal: &Portal3,
     before: Option<&Portal3>,
-    origin: &[Int; 3],
+    frame: &Frame,
 ) -> Vec<(Vector, bool)> {
-    let edges = (0..portal.vertices().len()).map(|edge| (portal.edge_row(edge, origin), false));
-    let order = before.and_then(|before| before.order_row(portal, origin));
-    edges.chain(order.map(|(row, _)| (row, true))).collect()
+    let edges = (0..portal.vertices().len()).map(|edge| (portal.edge_row_in(edge, frame), false));
+    let order = before.and_then(|before| before.order_row_in(portal, frame));
+    edges.chain(order.map(|row| (row, true))).collect()
 }
 
 /// Decides a whole sequence: a witness where it is open, `None` where it is not.

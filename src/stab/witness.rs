@@ -13,7 +13,7 @@
 //! computed for the one of the two directions that comes first lexicographically.
 
 use super::quadric::{BothSigns, Vector, extremum_of_sign, quadric, side};
-use super::sequence::Portal3;
+use super::sequence::{Frame, Portal3};
 use super::stabber::rows_of;
 use crate::geom::vector::{cross, difference, dot};
 use crate::num::{Int, Rational, Sign};
@@ -90,11 +90,11 @@ impl Problem {
         let origin = std::array::from_fn(least);
         let extent =
             all().flat_map(|v| difference(v, &origin)).map(|c| c.bits()).max().unwrap_or(0);
-        let mut rows = Vec::new();
+        let (mut rows, frame) = (Vec::new(), Frame::about(&origin));
         for (index, portal) in portals.iter().enumerate() {
             let ordered = index > 0 && orders.get(index).copied().unwrap_or(false);
             let before = ordered.then(|| portals[index - 1]);
-            rows.extend(rows_of(portal, before, &origin).into_iter().map(|(row, _)| row));
+            rows.extend(rows_of(portal, before, &frame).into_iter().map(|(row, _)| row));
         }
         let plane = |portal: &Portal3| {
             (portal.normal().clone(), portal.offset() - dot(portal.normal(), &origin))

@@ -4,7 +4,7 @@ use super::frame::{Bivector, Frame, half};
 use super::line::{FrameLine, line_between, propose_line};
 use super::norm::{Half, NormPoint, Outcome, dot};
 use super::six::agreeing_six;
-use crate::num::Int;
+use crate::num::{Int, Rational};
 use crate::pvs::arena::{Arena, Directed};
 use crate::pvs::sightline::Sightline;
 use crate::stab::{EdgeCone, Vector6};
@@ -55,17 +55,20 @@ impl RoughLines {
     /// What `cone` leaves, whose grid has `per_world` units in one of the world; `ends` are its
     /// points on both sides of the quadric, if it has them.
     pub fn new(cone: &EdgeCone, ends: Option<&[Vector6; 2]>, per_world: &Int) -> RoughLines {
-        let per_world = per_world.to_f64().unwrap_or(f64::NAN);
+        let in_world = |on_grid: &Int| {
+            Rational::new(on_grid.clone(), per_world.clone()).to_f64().unwrap_or(f64::NAN)
+        };
+        let unit = in_world(cone.frame().unit());
         let rough = |vector: &Vector6| {
             let [dx, dy, dz, mx, my, mz] = floats(vector);
-            [DVec3::new(dx, dy, dz), DVec3::new(mx, my, mz) / per_world]
+            [DVec3::new(dx, dy, dz), DVec3::new(mx, my, mz) * unit]
         };
         let inside = cone.rays().iter().map(rough).fold([DVec3::ZERO; 2], |[d, m], [e, n]| {
             let length = (e.length_squared() + n.length_squared()).sqrt();
             [d + e / length, m + n / length]
         });
-        let [x, y, z] = cone.origin().each_ref().map(|c| c.to_f64().unwrap_or(f64::NAN));
-        let origin = DVec3::new(x, y, z) / per_world;
+        let [x, y, z] = cone.frame().origin().each_ref().map(in_world);
+        let origin = DVec3::new(x, y, z);
         RoughLines { inside, ends: ends.map(|ends| ends.each_ref().map(rough)), origin }
     }
 }
