@@ -18,8 +18,8 @@
 //! **Degenerate eyes** (section 8.4.2, without its tolerance). An eye in a portal's plane sees
 //! nothing through that portal. If it is in the closed portal, it belongs to both cells, and the
 //! search starts from both; from each, the eye looks only to that cell's side of the portal's
-//! plane. An edge, a vertex or a wall are no special case. In a world the closed polyhedra say which
-//! cells an eye belongs to ([`EyeWorld`]).
+//! plane. An edge, a vertex or a wall are no special case. In a world the closed polyhedra say
+//! which cells an eye belongs to ([`EyeWorld`]).
 //!
 //! **Order.** Where cells are not exactly convex, crossing two consecutive portals in their order
 //! is one more linear condition on the direction (semantics, fact 4), and clips the cone.
