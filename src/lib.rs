@@ -7,6 +7,7 @@ pub mod csg;
 pub mod eye;
 pub mod formats;
 pub mod geom;
+pub mod motion;
 pub mod num;
 #[cfg(feature = "oracle")]
 pub mod oracle;

@@ -4,13 +4,27 @@
 mod support;
 
 use proptest::prelude::*;
-use stabline::formats::bsp::{BitMatrix, Visibility, write_visibility};
-use stabline::formats::json::SceneFile;
+use stabline::formats::bsp::{BitMatrix, LevelTree, Visibility, write_visibility};
+use stabline::formats::json::{GeometryFile, SceneFile};
 use stabline::formats::npy::NpyMatrix;
-use stabline::formats::prt;
+use stabline::formats::{gltf, obj, prt};
 use stabline::report::PvsReport;
-use stabline::scene::{CellOrder, LevelOptions, PortalGraph, read_graph, read_level};
-use support::{THREE_ROOMS, level, three_rooms_result};
+use stabline::scene::{
+    CellOrder, LevelOptions, PortalGraph, WorldOptions, read_graph, read_level, read_world,
+};
+use support::{THREE_ROOMS, level, root, three_rooms_result};
+
+/// Every field of a scene with geometry, and every form of a brush.
+const GEOMETRY: &str = r#"{"about": "a", "format": "stabline-scene/1", "grid": 4,
+"view": [[0,0,0],[8,8,4]], "polygons": [{"name": "p", "polygon": [[5,0,0],[5,5,0],[5,5,3],[6,0,3]]}],
+"brushes": [{"box": [[2,2,0],[3,3,4]]}, {"points": [[0,6,0],[4,6,0],[0,8,0],[0,6,"3/2"],[1,6.5,0]]},
+{"planes": [{"normal": [0,0,-1], "offset": 0}, {"normal": [-1,0,0], "offset": -6},
+{"points": [[6,0,0],[6,0,1],[7,0,0]]}, {"normal": [1,1,1], "offset": 17}]}],
+"objects": [{"name": "o", "box": [[6,6,0],[7,7,1]]}], "inside": [[1,1,1]],
+"hints": [{"box": [[0,0,0],[1,1,1]]}]}"#;
+
+const OBJ: &str =
+    "o a b\nv 0 0 0 # c\nv 1.5 0 1e0\nv 1 1/3 \\\n 0\nvn 0 0 1\nf -3 2/1 3//1\nf 1 2 3\n";
 
 const SCENE: &str = r#"{"about": "a door", "format": "stabline-scene/1", "grid": 2,
 "cells": ["hall", "yard"], "portals": [
@@ -56,8 +70,29 @@ fn parse(bytes: &[u8]) {
         Err(error) => assert!(error.line().is_some() && !error.to_string().contains('\n')),
     }
     let _ = SceneFile::read(bytes);
+    let _ = GeometryFile::read(bytes);
+    if let Err(error) = obj::read(bytes) {
+        assert!(error.line >= 1 && !error.to_string().contains('\n'));
+    }
+    if let Ok(file) = gltf::read(bytes, &mut |_| Ok(vec![0; 64])) {
+        for part in &file.parts {
+            let corners = part.triangles.as_flattened();
+            assert!(corners.iter().all(|&corner| (corner as usize) < part.vertices.len()));
+        }
+    }
+    for (name, snap) in [("x", None), ("x.obj", Some(0)), ("x.glb", None)] {
+        match read_world(name, bytes, &WorldOptions { snap, ..WorldOptions::default() }) {
+            Ok((world, _)) => {
+                assert!(world.polygons.iter().all(|polygon| polygon.vertices.len() >= 3));
+                assert!(world.solids.iter().all(|solid| solid.planes.len() >= 4));
+                assert!(world.objects.iter().all(|object| object.bounds.has_volume()));
+            }
+            Err(error) => assert!(error.to_string().starts_with(name)),
+        }
+    }
     let _ = PvsReport::read(bytes);
     let _ = NpyMatrix::read(bytes);
+    let _ = LevelTree::read(bytes);
     if let Ok(read) = Visibility::read(bytes) {
         assert!(read.rows_missing <= read.matrix.size());
         // What can be read can be replaced, or is refused; it is never another matrix.
@@ -89,9 +124,10 @@ fn files() -> Vec<Vec<u8>> {
     let q3 = "PRT1\n2\n1\n1\n3 0 1 0 (0 0 0 ) (1 0 0 ) (0 1 0 )\n3 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
     let am = "PRT1-AM\n2\n1\n2\n3 0 1 (0 0 0 ) (1 0 .5 ) (0 1 0 )\n0\n1\n";
     let headless = "2\n1\n1\n2\n3 0 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
-    let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result(), MAP];
+    let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result(), MAP, GEOMETRY, OBJ];
     let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
-    files.extend([npy, level([1, 3, 7, 15]), quake2, quake3]);
+    let glb = std::fs::read(root().join("scenes/world/panels_cross_turned.glb")).unwrap();
+    files.extend([npy, level([1, 3, 7, 15]), quake2, quake3, glb]);
     files
 }
 
@@ -156,6 +192,12 @@ fn the_undamaged_files_are_read() {
     assert_eq!((graphs, levels, others.count()), (5, 3, 2));
     let source = read_level("x", MAP.as_bytes(), LevelOptions::default()).unwrap();
     assert_eq!((source.brushes.len(), source.warnings.len()), (1, 2));
+    let count = |name: &str| {
+        let worlds = files.iter().map(|f| read_world(name, f, &WorldOptions::default()));
+        worlds.flatten().map(|(world, _)| world.solids.len() + world.polygons.len()).sum::<usize>()
+    };
+    // Three brushes, a skew quad and two panels; one face that is there twice and two panels.
+    assert_eq!((count("x"), count("x.obj")), (3 + 2 + 4, 1 + 4));
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod support;
 
 use std::fs;
 use std::path::Path;
-use support::{THREE_ROOMS, assert_fails, level, stabline, stdout, three_rooms_result};
+use support::{THREE_ROOMS, assert_fails, level, root, stabline, stdout, three_rooms_result};
 
 /// The names in a folder.
 fn names(at: &Path) -> Vec<String> {
@@ -202,4 +202,171 @@ fn a_full_disk_is_an_error_and_a_closed_pipe_is_none() {
         .unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty());
+}
+
+/// A scene with geometry, of these fields.
+fn geometry(fields: &str) -> Vec<u8> {
+    format!("{{\"about\": \"x\", \"format\": \"stabline-scene/1\",\n{fields}}}").into_bytes()
+}
+
+/// What is wrong with each input is told by `bsp` and by `pvs`, and no output is left.
+fn assert_refused(cases: &[(&str, Vec<u8>, &str)]) {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    for (name, bytes, expected) in cases {
+        fs::write(at.join(name), bytes).unwrap();
+        let run = stabline(at, &["bsp", name, "--prt", "out.prt", "--pts", "out.pts"]);
+        assert_fails(&run, 3, expected);
+        assert_fails(&stabline(at, &["pvs", name, "-o", "out.json"]), 3, expected);
+    }
+    assert_eq!(names(at).len(), cases.len());
+}
+
+fn polygon(vertices: &str) -> Vec<u8> {
+    geometry(&format!("\"polygons\": [{{\"polygon\": {vertices}}}]"))
+}
+
+fn brush(shape: &str) -> Vec<u8> {
+    geometry(&format!("\"brushes\": [{{\"name\": \"b\", {shape}}}]"))
+}
+
+/// A brush of three planes through the origin, and more.
+fn planes(more: &str) -> Vec<u8> {
+    let three = "{\"normal\": [-1,0,0], \"offset\": 0}, {\"normal\": [0,-1,0], \"offset\": 0}, \
+                 {\"normal\": [0,0,-1], \"offset\": 0}";
+    brush(&format!("\"planes\": [{three}{more}]"))
+}
+
+#[test]
+fn bad_polygons_and_brushes_are_named_with_their_place() {
+    assert_refused(&[
+        ("a.json", geometry("\"polygons\": ["), "a.json:2: column"),
+        ("b.json", polygon("[[0,0,NaN],[1,0,0],[0,1,0]]"), "b.json:2: column"),
+        ("c.json", polygon("[[0,0,\"nan\"],[1,0,0],[0,1,0]]"), "coordinate `nan`: not a decimal"),
+        ("d.json", polygon("[[0,0,1e9999],[1,0,0],[0,1,0]]"), "the exponent is larger than 4096"),
+        ("e.json", polygon("[[0,0,0],[1,0,0],[2,0,0]]"), "polygons[0]: the polygon has zero area"),
+        ("f.json", polygon("[[0,0,0],[1,0,0]]"), "polygons[0]: 2 distinct vertices in a row"),
+        (
+            "g.json",
+            polygon("[[0,0,0],[4,4,0],[4,0,0],[0,3,0]]"),
+            "g.json: polygons[0]: not convex, and its outline crosses or touches itself",
+        ),
+        ("h.json", planes(""), "h.json: brushes[0]: 3 distinct planes, expected four or more"),
+        (
+            "i.json",
+            planes(", {\"normal\": [0,0,1], \"offset\": 1}"),
+            "i.json: brushes[0]: the planes do not close it",
+        ),
+        (
+            "j.json",
+            planes(", {\"normal\": [1,1,1], \"offset\": 0}"),
+            "brushes[0]: the planes leave it no volume",
+        ),
+        (
+            "k.json",
+            planes(", {\"normal\": [0,0,0], \"offset\": 1}"),
+            "brushes[0]: plane 3: the normal is zero",
+        ),
+        (
+            "l.json",
+            planes(", {\"points\": [[0,0,0],[1,1,1],[3,3,3]]}"),
+            "brushes[0]: plane 3: its three points are on one line",
+        ),
+    ]);
+}
+
+#[test]
+fn bad_scenes_of_geometry_are_named_with_their_place() {
+    assert_refused(&[
+        (
+            "m.json",
+            planes(", {\"normal\": [1,1,1]}"),
+            "m.json:2: column 162: a plane: expected `normal` and `offset`, or `points`",
+        ),
+        ("n.json", brush("\"box\": [[0,0,0],[1,0,1]]"), "brushes[0]: the first corner of a box"),
+        (
+            "o.json",
+            brush("\"points\": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]"),
+            "brushes[0]: its points lie in one plane",
+        ),
+        (
+            "p.json",
+            brush("\"points\": [], \"box\": [[0,0,0],[1,1,1]]"),
+            "a brush: expected one of `planes`, `points` and `box`",
+        ),
+        (
+            "q.json",
+            geometry(
+                "\"brushes\": [{\"name\": \"b\", \"box\": [[0,0,0],[1,1,1]]}], \
+                 \"objects\": [{\"box\": [[0,0,0],[1,1,1]]}, {\"name\": \"b\", \
+                 \"box\": [[0,0,0],[1,1,1]]}]",
+            ),
+            "q.json: objects[1].name: `b` is the name of brushes[0] too",
+        ),
+        (
+            "r.json",
+            geometry("\"grid\": 2, \"polygons\": [{\"polygon\": [[0,0,0],[1,0.25,0],[0,1,0]]}]"),
+            "polygons[0].polygon[1]: coordinate 1/4 is not a multiple of the declared grid unit 1/2",
+        ),
+        ("s.json", geometry("\"brushes\": []"), "s.json: scene: nothing occludes"),
+        (
+            "t.json",
+            geometry("\"cells\": [],\n\"view\": [[0,0,0],[1,1,1]]"),
+            "t.json:3: column 9: `view` states geometry and `cells` a portal graph",
+        ),
+        ("u.json", geometry("\"brushes\": [], \"walls\": []"), "unknown field `walls`"),
+        ("v.json", geometry("\"brushes\": [], \"brushes\": []"), "duplicate field `brushes`"),
+        (
+            "w.json",
+            geometry("\"brushes\": [{\"box\": [[0,0,0],[1,1,1]]}], \"view\": [[0,0,0],[1,1,0]]"),
+            "w.json: view: the first corner of a box",
+        ),
+    ]);
+}
+
+#[test]
+fn bad_soup_is_named_with_its_place() {
+    assert_refused(&[
+        (
+            "a.obj",
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n".to_vec(),
+            "a.obj:4: corner 4: there are 3",
+        ),
+        ("b.obj", b"# nothing\n".to_vec(), "b.obj: faces: nothing occludes"),
+        ("c.obj", b"v 0 0 1e5000\n".to_vec(), "c.obj:1: coordinate `1e5000`: the exponent"),
+        (
+            "d.obj",
+            b"v 0 0 0\nv 4 4 0\nv 4 0 0\nv 0 3 0\n\no bow\nf 1 2 3 4\n".to_vec(),
+            "d.obj:7: `bow`: not convex, and its outline crosses or touches itself",
+        ),
+        ("e.obj", b"v 0 0\n".to_vec(), "e.obj:1: a vertex of 2 numbers"),
+        ("f.obj", Vec::new(), "f.obj: the file is empty"),
+        ("a.glb", glb()[..99].to_vec(), "a.glb: header: states"),
+        ("b.glb", b"glTF".to_vec(), "b.glb: header: 12 bytes expected"),
+        ("c.gltf", b"{\"asset\": ".to_vec(), "c.gltf: JSON: "),
+        (
+            "d.gltf",
+            b"{\"asset\": {\"version\": \"2.0\"}}".to_vec(),
+            "d.gltf: scenes: the file has no",
+        ),
+        (
+            "e.gltf",
+            beside("../secret.bin"),
+            "`../secret.bin` is not a file in the folder of the input",
+        ),
+        ("f.gltf", beside("none.bin"), "f.gltf: buffers[0]: the buffer's bytes are not at hand"),
+    ]);
+}
+
+fn glb() -> Vec<u8> {
+    fs::read(root().join("scenes/world/panels_cross_turned.glb")).unwrap()
+}
+
+/// A file whose only buffer is another file.
+fn beside(uri: &str) -> Vec<u8> {
+    format!(
+        "{{\"asset\": {{\"version\": \"2.0\"}}, \"scenes\": [{{\"nodes\": []}}],\
+         \"buffers\": [{{\"uri\": \"{uri}\", \"byteLength\": 4}}]}}"
+    )
+    .into_bytes()
 }

@@ -1,8 +1,8 @@
 //! Eyes in real levels, where the shared maps are at hand: the culls never miss a cell. Prints how
 //! many queries a second each cull answers, and how many cells it has too many.
 //!
-//! By default a few eyes look into one level's source; with `STABLINE_EYES=300` that many look into
-//! all of them.
+//! By default a few eyes look into one level's source; with `STABLINE_EYES=300` in the environment,
+//! `cargo test --test eye_real -- --nocapture` has that many look into all of them.
 
 mod support;
 

@@ -1,24 +1,29 @@
-//! `stabline bsp`: a level's source divided into cells and portals.
+//! `stabline bsp`: geometry divided into cells and portals.
+
+mod show;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use crate::formats::prt::{self, PrtPortal, PrtWriteError};
-use crate::geom::RationalPoint3;
-use crate::num::{Int, Number, Rational};
-use crate::portal::{WorldCells, WorldError, cells_of_world};
-use crate::scene::level::{Level, LevelOptions, Role};
-use crate::scene::{self, PortalGraph, World};
-use crate::subdivision::Options;
-use num_traits::{Signed, ToPrimitive};
+use super::numbers::point;
+use super::progress::{ProgressArgs, Stopwatch};
+use super::world::{self, WorldArgs};
+use crate::formats::prt::{self, PrtWriteError};
+use crate::num::Rational;
+use crate::portal::{self, WorldCells, WorldError, divide_world, occluders_of};
+use crate::report::{BspChecked, BspReport, BspStage, EyeRatio, InputId, Progress};
+use crate::scene::World;
+use crate::scene::world::Inside;
+use crate::subdivision::{DivisionError, Options, PortalShape};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-/// Divide the inside of a level's source (`.map`) into convex cells and the portals between them
+/// Divide the space around geometry into convex cells and the portals between them
 ///
-/// A level that leaks ends with code 3; `--pts` keeps the way out.
+/// INPUT is a level's source (`.map`), a JSON scene with geometry, or polygons (`.obj`, `.gltf`,
+/// `.glb`). A world that leaks ends with code 3; `--pts` keeps the way out.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The level's source
+    /// The geometry
     input: PathBuf,
     /// Write the portals as a portal file
     #[arg(long, value_name = "OUT.prt")]
@@ -27,159 +32,143 @@ pub(super) struct Args {
     /// decimal or a longer one; the largest displacement is printed
     #[arg(long, value_name = "DECIMALS", requires = "prt", value_parser = clap::value_parser!(u32).range(0..=18))]
     snap: Option<u32>,
+    /// Write the cells as polyhedra, and the portals (`stabline-cells/1`)
+    #[arg(long, value_name = "OUT.json")]
+    cells: Option<PathBuf>,
     /// Where the level leaks, write the way from an entity to the outside as a line of points
     #[arg(long, value_name = "OUT.pts")]
     pts: Option<PathBuf>,
-    /// Liquids hide what is behind them
+    /// Print cells and faces in the order of painting for an eye, farthest first, instead of the
+    /// summary
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with = "json")]
+    painter: Option<String>,
+    /// Check the division's laws: volumes, kinds of leaves, portals, random points
     #[arg(long)]
-    opaque_liquids: bool,
-    /// Keep every digit of coordinates with more than six decimals
+    check: bool,
+    /// Tell how long each stage took
     #[arg(long)]
-    keep_digits: bool,
-    /// Print JSON
+    stats: bool,
+    #[command(flatten)]
+    world: WorldArgs,
+    /// Print JSON (`stabline-bsp/1`)
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    progress: ProgressArgs,
 }
 
+/// How many random points `--check` locates.
+const SAMPLES: usize = 200;
+
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    let options = args.world.division.options()?;
+    let eye = args.painter.as_ref().map(|text| point("--painter", text)).transpose()?;
     let input = Input::read(&args.input)?;
-    let options = LevelOptions {
-        opaque_liquids: args.opaque_liquids,
-        keep_digits: args.keep_digits,
-        ..LevelOptions::default()
-    };
-    let level = scene::read_level(&input.name, &input.bytes, options)?;
-    for warning in &level.warnings {
+    let stopwatch = Stopwatch::new(args.progress.reporter());
+    stopwatch.begin("read", 0);
+    let (world, warnings) = world::read_all(&input, &args.world)?;
+    for warning in &warnings {
         eprintln!("{}: {warning}", input.name);
     }
-    let world = World::of_level(&level);
-    let cells = match cells_of_world(&world, &Options::default()) {
+    let warnings = warnings.iter().map(ToString::to_string).collect();
+    let cells = match divide_world(&world, &options, &stopwatch) {
         Ok(cells) => cells,
+        Err(WorldError::Division(DivisionError::Interrupted)) => return Ok(Exit::Interrupted),
         Err(error) => {
             if let (WorldError::Leak { leak, .. }, Some(path)) = (&error, &args.pts) {
-                files::write(Some(path), |out| write_points(&leak.path, out))?;
+                files::write(Some(path), |out| show::write_points(&leak.path, out))?;
             }
             return Err(Failure::file(&input.name, error));
         }
     };
-    let mut displacement = None;
+    let checked = match args.check {
+        true => Some(check(&input, &world, &cells, &options, &stopwatch)?),
+        false => None,
+    };
+    let stages = stopwatch.stages().into_iter();
+    let stages = stages.map(|(stage, microseconds)| BspStage { stage, microseconds });
+    let mut report = summary(&input, &world, &cells, warnings);
+    report.portal_shape = args.world.division.shape().1;
+    report.conservative = options.portals == PortalShape::Hull;
+    report.checked = checked;
+    report.stages = if args.stats { stages.collect() } else { Vec::new() };
     if let Some(path) = &args.prt {
-        let (portals, largest) = portals(&cells.graph, args.snap);
-        let count = cells.graph.cells.len() as u32;
-        let written = |out: &mut dyn Write| match prt::write(count, &portals, out) {
-            Ok(()) => Ok(()),
-            Err(PrtWriteError::Io(error)) => Err(error),
-            Err(error @ PrtWriteError::NoDecimal { .. }) => Err(io::Error::other(error)),
-        };
-        files::write(Some(path), written)?;
-        displacement = args.snap.map(|_| largest);
+        let largest = write_portals(path, &cells, args.snap)?;
+        report.displacement = args.snap.map(|_| EyeRatio::from(&largest));
     }
-    let text = match args.json {
-        true => format!("{:#}\n", as_json(&input, &level, &world, &cells, displacement.as_ref())),
-        false => as_text(&input, &level, &world, &cells, displacement.as_ref()),
+    if let Some(path) = &args.cells {
+        let id = InputId::new(&input.file_name(), &input.bytes);
+        files::write(Some(path), |out| show::cells(id, &cells).write(out))?;
+    }
+    let text = match (eye, args.json) {
+        (Some(eye), _) => show::painting(&world, &cells, &eye),
+        (None, true) => report.to_json(),
+        (None, false) => report.to_text(),
     };
     files::print(&text)?;
     Ok(Exit::Done)
 }
 
-/// A point a line, as level editors load it: rounded, as these files hold a few decimals.
-fn write_points(path: &[RationalPoint3], out: &mut dyn Write) -> io::Result<()> {
-    for point in path {
-        let [x, y, z] = <[Number; 3]>::from(point).map(|c| {
-            let thousandths = (c.to_rational() * Int::from(1000)).round().to_integer();
-            let sign = if thousandths < Int::ZERO { "-" } else { "" };
-            let size = thousandths.abs();
-            format!("{sign}{}.{:03}", &size / 1000, (&size % 1000u32).to_u32().unwrap_or(0))
-        });
-        writeln!(out, "{x} {y} {z}")?;
-    }
-    Ok(())
-}
-
-/// The graph's portals for a portal file, and how far a coordinate was moved at most.
-fn portals(graph: &PortalGraph, snap: Option<u32>) -> (Vec<PrtPortal>, Rational) {
-    let mut largest = Rational::from(Int::ZERO);
-    let mut kept = |coordinate: Number| match snap {
-        None => coordinate,
-        Some(decimals) => {
-            let (snapped, moved) = coordinate.rounded(&Int::from(10).pow(decimals));
-            if moved > largest {
-                largest = moved;
-            }
-            Number::from(snapped)
-        }
+/// Writes a portal file; how far a coordinate was moved at most.
+fn write_portals(path: &Path, cells: &WorldCells, snap: Option<u32>) -> Result<Rational, Failure> {
+    let (portals, largest) = show::portals(&cells.graph, snap);
+    let count = cells.graph.cells.len() as u32;
+    let written = |out: &mut dyn Write| match prt::write(count, &portals, out) {
+        Ok(()) => Ok(()),
+        Err(PrtWriteError::Io(error)) => Err(error),
+        Err(error @ PrtWriteError::NoDecimal { .. }) => Err(io::Error::other(error)),
     };
-    let portals = graph
-        .portals
-        .iter()
-        .map(|portal| PrtPortal {
-            line: 0,
-            cells: [portal.from.0, portal.to.0],
-            vertices: portal
-                .vertices
-                .iter()
-                .map(|&v| <[Number; 3]>::from(&graph.vertices[v as usize]).map(&mut kept))
-                .collect(),
-        })
-        .collect();
-    (portals, largest)
+    files::write(Some(path), written)?;
+    Ok(largest)
 }
 
-fn count(level: &Level, role: Role) -> usize {
-    level.brushes.iter().filter(|brush| brush.role == role).count()
-}
-
-fn as_text(
+/// Checks the laws; one that does not hold is an error of this program.
+fn check(
     input: &Input,
-    level: &Level,
     world: &World,
     cells: &WorldCells,
-    displacement: Option<&Rational>,
-) -> String {
-    let leaves = &cells.subdivision.leaves;
-    let mut text = format!(
-        "{}: {} brushes that occlude, {} hints, {} others; {} oddities repaired\n\
-         {} leaves of the tree, {} solid\n\
-         {} cells inside, {} portals between them\n",
-        input.file_name(),
-        count(level, Role::Solid),
-        count(level, Role::Hint),
-        level.brushes.len() - count(level, Role::Solid) - count(level, Role::Hint),
-        level.warnings.len(),
-        leaves.len(),
-        leaves.iter().filter(|leaf| leaf.solid).count(),
-        cells.graph.cells.len(),
-        cells.graph.portals.len(),
-    );
-    for &mark in &cells.buried {
-        text.push_str(&format!("{} is inside a solid\n", world.marks()[mark].place));
-    }
-    if let Some(moved) = displacement {
-        text.push_str(&format!("coordinates moved by {moved} at most\n"));
-    }
-    text
-}
-
-fn as_json(
-    input: &Input,
-    level: &Level,
-    world: &World,
-    cells: &WorldCells,
-    displacement: Option<&Rational>,
-) -> serde_json::Value {
-    let leaves = &cells.subdivision.leaves;
-    serde_json::json!({
-        "format": "stabline-bsp/1",
-        "input": input.file_name(),
-        "solid_brushes": count(level, Role::Solid),
-        "hint_brushes": count(level, Role::Hint),
-        "brushes": level.brushes.len(),
-        "warnings": level.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "leaves": leaves.len(),
-        "solid_leaves": leaves.iter().filter(|leaf| leaf.solid).count(),
-        "cells": cells.graph.cells.len(),
-        "portals": cells.graph.portals.len(),
-        "buried_entities": cells.buried.iter().map(|&mark| world.marks()[mark].place.line).collect::<Vec<_>>(),
-        "displacement": displacement.map(ToString::to_string),
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<BspChecked, Failure> {
+    progress.begin("check", 0);
+    let occluders = occluders_of(world);
+    let filled = world.inside != Inside::Everywhere;
+    let hulls = options.portals == PortalShape::Hull;
+    let checked = cells.subdivision.check(&occluders, filled, SAMPLES, 1);
+    let checked = checked.map_err(|violation| Failure::file(&input.name, violation))?;
+    portal::check(&cells.subdivision, &cells.shared, &occluders, hulls)
+        .map_err(|violation| Failure::file(&input.name, violation))?;
+    Ok(BspChecked {
+        leaves: checked.leaves,
+        portals: cells.shared.len(),
+        points_inside: checked.inside,
+        points_between: checked.between,
     })
+}
+
+fn summary(input: &Input, world: &World, cells: &WorldCells, warnings: Vec<String>) -> BspReport {
+    let leaves = &cells.subdivision.leaves;
+    let InputId { name, blake3 } = InputId::new(&input.file_name(), &input.bytes);
+    let place = |&mark: &usize| world.marks()[mark].place.to_string();
+    BspReport {
+        format: BspReport::FORMAT,
+        input: name,
+        blake3,
+        solids: world.solids.len(),
+        polygons: world.polygons.len(),
+        hints: world.hints.len(),
+        objects: world.objects.len(),
+        marks: world.marks().len(),
+        warnings,
+        leaves: leaves.len(),
+        solid_leaves: leaves.iter().filter(|leaf| leaf.solid).count(),
+        cells: cells.graph.cells.len(),
+        portals: cells.graph.portals.len(),
+        portal_shape: "merged",
+        conservative: false,
+        buried_marks: cells.buried.iter().map(place).collect(),
+        displacement: None,
+        checked: None,
+        stages: Vec::new(),
+    }
 }

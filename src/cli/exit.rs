@@ -35,6 +35,8 @@ pub(super) enum Failure {
     Usage(String),
     /// An input is wrong, or a file cannot be read or written.
     Input(String),
+    /// Interrupted before there was anything to keep.
+    Interrupted,
 }
 
 impl Failure {
@@ -57,6 +59,7 @@ impl Failure {
         match self {
             Failure::Usage(_) => 2,
             Failure::Input(_) => 3,
+            Failure::Interrupted => Exit::Interrupted.code(),
         }
     }
 }
@@ -71,6 +74,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Failure::Usage(what) => write!(f, "error: {what}"),
+            Failure::Interrupted => f.write_str("interrupted"),
             // Names and excerpts of a file may hold line ends; an error is one line.
             Failure::Input(what) => {
                 f.write_str("error: ")?;

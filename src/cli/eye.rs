@@ -2,17 +2,17 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
-use super::world;
+use super::numbers::{numbers, point};
+use super::world::{self, WorldArgs};
 use crate::construct::Polygon;
 use crate::eye::{
     Cull, EyeGraph, EyeWorld, Frustum, Lens, LocateError, Query, WorldAnswer, half_tangent,
 };
 use crate::formats::mesh::{self, MeshGroup};
 use crate::geom::RationalPoint3;
-use crate::num::{Int, Rational, parse_decimal};
-use crate::report::{EyeReport, InputId};
+use crate::num::Rational;
+use crate::report::{EyeReport, InputId, Silent};
 use crate::scene::{self, CellId, PortalGraph, PortalId};
-use num_integer::Integer;
 use num_traits::ToPrimitive;
 use std::io::{self, Write};
 use std::iter;
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// Compute what an eye sees: cells, the seen space or the seen parts of portals, objects
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// A portal graph, or a level's source
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// Where the eye is: three decimals or ratios
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -56,6 +56,8 @@ pub(super) struct Args {
     /// Write what is seen as an OBJ, one object a region
     #[arg(long, value_name = "OUT.obj")]
     obj: Option<PathBuf>,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON (`stabline-eye/1`)
     #[arg(long)]
     json: bool,
@@ -95,7 +97,7 @@ impl Args {
 type Seen = (EyeReport, Vec<MeshGroup>);
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let eye = point(&numbers("--at", &args.at)?);
+    let eye = point("--at", &args.at)?;
     let lens = lens(&args)?;
     if args.needs_regions() && args.cull != Method::Exact {
         let message = "--regions, --objects, --glb and --obj need the exact cull";
@@ -169,8 +171,7 @@ fn of_world(
     if args.cell.is_some() {
         return Err(Failure::usage("--cell is for portal graphs: a level's tree places every eye"));
     }
-    let world = world::read(input)?;
-    let cells = world::cells(input, &world)?;
+    let (world, cells) = world::divided(input, &args.world, &Silent)?;
     let frustum = lens.map(|lens| &lens.frustum);
     let query = Query { eye, frustum, cell: None, regions: args.needs_regions() };
     let (cull, name) = args.cull.cull();
@@ -223,23 +224,4 @@ fn lens(args: &Args) -> Result<Option<Lens>, Failure> {
     };
     let frustum = Frustum::new(&look, &up, &half_tangents).map_err(Failure::usage)?;
     Ok(Some(Lens { look, up, half_tangents, frustum }))
-}
-
-/// The `N` numbers of an option, read exactly.
-fn numbers<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
-    let read = |part: &str| {
-        parse_decimal(part.trim())
-            .map_err(|error| Failure::usage(format!("{option}: `{part}`: {error}")))
-    };
-    let numbers = text.split(',').map(read).collect::<Result<Vec<_>, _>>()?;
-    let count = numbers.len();
-    numbers.try_into().map_err(|_| {
-        Failure::usage(format!("{option}: expected {N} numbers between commas, got {count}"))
-    })
-}
-
-fn point(coordinates: &[Rational; 3]) -> RationalPoint3 {
-    let common = coordinates.iter().fold(Int::from(1), |c, x| c.lcm(x.denom()));
-    let numerators = coordinates.each_ref().map(|c| c.numer() * (&common / c.denom()));
-    RationalPoint3::new(numerators, common)
 }

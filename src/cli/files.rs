@@ -78,6 +78,17 @@ pub(super) fn write(
     }
 }
 
+/// Whether an output could be written now, as [`write`] would: asked before a long computation, so
+/// that a wrong path is told at once.
+pub(super) fn check_output(path: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = path.filter(|path| *path != Path::new("-")) else { return Ok(()) };
+    let checked = target(path).and_then(|target| match target {
+        Target::Stream(_) => Ok(()),
+        Target::File(path) => Temporary::create(&path).map(drop),
+    });
+    checked.map_err(|error| Failure::system("write", path, &error))
+}
+
 /// Prints `text` to standard output.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
     write(None, |out| out.write_all(text.as_bytes()))
@@ -95,24 +106,38 @@ fn write_standard_output(
     }
 }
 
+/// What a path of an output names.
+enum Target {
+    /// A device or a pipe: it cannot be replaced by renaming, and holds nothing to protect.
+    Stream(PathBuf),
+    /// A file that is there and may be replaced, or is not there yet.
+    File(PathBuf),
+}
+
+fn target(path: &Path) -> io::Result<Target> {
+    // A link is written through, as every other program does.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    match fs::metadata(&target) {
+        Ok(found) if found.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory)),
+        Ok(found) if !found.is_file() => Ok(Target::Stream(target)),
+        Ok(found) if found.permissions().readonly() => {
+            Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
+        }
+        Ok(_) | Err(_) => Ok(Target::File(target)),
+    }
+}
+
 fn write_file(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    // A link is written through, as every other program does.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    match fs::metadata(&target) {
-        // A device or a pipe cannot be replaced by renaming, and holds nothing to protect.
-        Ok(found) if !found.is_file() && !found.is_dir() => {
+    match target(path)? {
+        Target::Stream(target) => {
             let mut out = BufWriter::new(OpenOptions::new().write(true).open(&target)?);
             content(&mut out)?;
             out.flush()
         }
-        Ok(found) if found.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory)),
-        Ok(found) if found.permissions().readonly() => {
-            Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
-        }
-        Ok(_) | Err(_) => {
+        Target::File(target) => {
             let mut temporary = Temporary::create(&target)?;
             content(&mut temporary.writer)?;
             temporary.commit(&target)

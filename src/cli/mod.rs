@@ -7,11 +7,15 @@
 
 mod bsp;
 mod check;
+mod csg;
+mod division;
 mod exit;
 mod export;
 mod eye;
 mod files;
 mod interrupt;
+mod motion;
+mod numbers;
 mod progress;
 mod pvs;
 mod schema;
@@ -40,10 +44,12 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 holes found, 2 usage, 3 bad inpu
 /// Every subcommand, in the order of `stabline --help`.
 #[derive(Debug, Subcommand)]
 enum Command {
-    Bsp(bsp::Args),
+    Bsp(Box<bsp::Args>),
     Check(check::Args),
+    Csg(csg::Args),
     Export(export::Args),
     Eye(eye::Args),
+    Move(motion::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
@@ -54,10 +60,12 @@ enum Command {
 impl Command {
     fn run(self) -> Result<Exit, Failure> {
         match self {
-            Command::Bsp(args) => bsp::run(args),
+            Command::Bsp(args) => bsp::run(*args),
             Command::Check(args) => check::run(args),
+            Command::Csg(args) => csg::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
+            Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),

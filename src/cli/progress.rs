@@ -145,6 +145,46 @@ impl Drop for Reporter {
     }
 }
 
+/// Passes progress on, and keeps the time of each stage.
+pub(super) struct Stopwatch {
+    reporter: Reporter,
+    begun: Mutex<Vec<(String, Instant)>>,
+}
+
+impl Stopwatch {
+    pub(super) fn new(reporter: Reporter) -> Stopwatch {
+        Stopwatch { reporter, begun: Mutex::new(Vec::new()) }
+    }
+
+    /// The stages so far, and how many microseconds each took.
+    pub(super) fn stages(&self) -> Vec<(String, u64)> {
+        let Ok(begun) = self.begun.lock() else { return Vec::new() };
+        let now = Instant::now();
+        let ends = begun.iter().skip(1).map(|(_, start)| *start).chain([now]);
+        let took = |((stage, start), end): (&(String, Instant), Instant)| {
+            (stage.clone(), (end - *start).as_micros() as u64)
+        };
+        begun.iter().zip(ends).map(took).collect()
+    }
+}
+
+impl Progress for Stopwatch {
+    fn begin(&self, stage: &str, total: u64) {
+        if let Ok(mut begun) = self.begun.lock() {
+            begun.push((stage.to_owned(), Instant::now()));
+        }
+        self.reporter.begin(stage, total);
+    }
+
+    fn advance(&self, steps: u64) {
+        self.reporter.advance(steps);
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.reporter.is_interrupted()
+    }
+}
+
 /// The most memory to use, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct MemoryLimit(pub u64);

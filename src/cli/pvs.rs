@@ -1,26 +1,27 @@
 //! `stabline pvs`: cell-to-cell visibility.
 
 mod keep;
+mod objects;
 mod summary;
 mod tree;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
-use super::world;
+use super::world::{self, WorldArgs};
 use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
-use crate::report::{InputId, PvsReport};
+use crate::report::{InputId, ObjectsReport, PvsReport};
 use crate::scene::{CellId, PortalGraph};
 use keep::Keeper;
 use std::path::PathBuf;
 
 /// Compute which cells see which, exactly, with a sightline for every open pair
 ///
-/// INPUT is a portal file (`.prt`), a JSON scene with cells and portals, or a level's source
-/// (`.map`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
+/// INPUT is a portal file (`.prt`), a JSON scene, a level's source (`.map`), or polygons (`.obj`,
+/// `.gltf`, `.glb`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// Write the result (`stabline-pvs/1`) to a file
     #[arg(short, long, value_name = "OUT.json")]
@@ -34,6 +35,12 @@ pub(super) struct Args {
     /// Only the stab trees of these cells, by number
     #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
     from: Vec<u32>,
+    /// Write which cells see which detail objects (`stabline-objects/1`) to a file
+    #[arg(long, value_name = "OUT.json", conflicts_with = "shard")]
+    objects: Option<PathBuf>,
+    /// How the pairs of a cell and an object are decided
+    #[arg(long, value_enum, value_name = "METHOD", default_value = "exact", requires = "objects")]
+    objects_method: objects::Method,
     /// Split the pairs that are not open into grazing and blocked (for hundreds of cells; on
     /// larger graphs with --budget, which leaves some undecided)
     #[arg(long)]
@@ -68,6 +75,8 @@ pub(super) struct Args {
     #[arg(long)]
     stats: bool,
     #[command(flatten)]
+    world: WorldArgs,
+    #[command(flatten)]
     progress: ProgressArgs,
 }
 
@@ -101,8 +110,16 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
+    for output in [&args.output, &args.npy, &args.stab_tree, &args.objects] {
+        files::check_output(output.as_deref())?;
+    }
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let watch = Watch::new(args.progress.reporter(), args.memory_limit);
+    let (graph, objects) = match &args.objects {
+        None => (world::read_graph(&input, &args.world, &watch)?, None),
+        Some(_) => objects::read(&input, &args.world, &watch).map(|(a, b)| (a, Some(b)))?,
+    };
+    drop(watch);
     let header = part_header(&args, &input);
     clock.lap("read");
     let keeper = Keeper::open(&args, &header, &graph)?;
@@ -121,6 +138,15 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     if args.grazing && !classify_grazing(&args, &graph, &mut report)? {
         return keeper.interrupted(&args, &part_header(&args, &input), &finished);
     }
+    let objects = match objects.map(|objects| objects.compute(&args, &report)).transpose()? {
+        None => None,
+        Some(None) => return keeper.interrupted(&args, &part_header(&args, &input), &finished),
+        Some(Some(found)) => Some(found),
+    };
+    if let (Some(output), Some(objects)) = (&args.objects, &objects) {
+        clock.lap("objects");
+        files::write(Some(output), |out| objects.write(out))?;
+    }
     if let Some(output) = &args.stab_tree {
         let Some(trees) = stab_trees(&args, &graph)? else {
             return keeper.interrupted(&args, &part_header(&args, &input), &finished);
@@ -136,16 +162,20 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         files::write(Some(output), |out| report.write(out))?;
     }
     clock.lap("write");
-    let writes_to_stdout = [&args.output, &args.npy, &args.stab_tree]
+    let writes_to_stdout = [&args.output, &args.npy, &args.stab_tree, &args.objects]
         .iter()
         .any(|path| path.as_deref() == Some("-".as_ref()));
     if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
-        files::print(&summary::summary(&graph, &report, &finished, args.json))?;
+        files::print(&summary::summary(&graph, &report, objects.as_ref(), &finished, args.json))?;
     }
     if args.stats {
         summary::print_stats(&clock, &graph, &finished);
     }
-    let undecided = report.matrix.counts().undecided > 0;
+    let budget_spent = |objects: &ObjectsReport| {
+        args.objects_method == objects::Method::Exact && objects.counts().undecided > 0
+    };
+    let undecided =
+        report.matrix.counts().undecided > 0 || objects.as_ref().is_some_and(budget_spent);
     Ok(if undecided { Exit::Undecided } else { Exit::Done })
 }
 

@@ -3,10 +3,14 @@
 use super::exit::{Exit, Failure};
 use super::files;
 use crate::audit;
-use crate::formats::json::SceneFile;
+use crate::formats::csg::CsgFile;
+use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
-use crate::report::{EyeReport, PvsReport, StabReport, TransversalsReport};
+use crate::report::{
+    BodyReport, BodyTreeReport, BspReport, CellsReport, EyeReport, MoveReport, ObjectsReport,
+    PvsReport, StabReport, TransversalsReport,
+};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -24,11 +28,18 @@ type Format = (&'static str, fn() -> Value);
 
 /// Every format.
 const SCHEMAS: &[Format] = &[
+    (BodyReport::FORMAT, BodyReport::schema),
+    (BspReport::FORMAT, BspReport::schema),
+    (CellsReport::FORMAT, CellsReport::schema),
     ("stabline-check/1", audit::check::schema),
+    ("stabline-csg/1", CsgFile::schema),
+    (BodyTreeReport::FORMAT, BodyTreeReport::schema),
     (EyeReport::FORMAT, EyeReport::schema),
     ("stabline-lines/1", LinesFile::schema),
+    (MoveReport::FORMAT, MoveReport::schema),
+    ("stabline-objects/1", ObjectsReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
-    ("stabline-scene/1", SceneFile::schema),
+    ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),
     ("stabline-stab/1", StabReport::schema),
     ("stabline-transversals/1", TransversalsReport::schema),

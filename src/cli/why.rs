@@ -3,7 +3,7 @@
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::progress::{ProgressArgs, Watch};
-use super::world;
+use super::world::{self, WorldArgs};
 use crate::num::Number;
 use crate::pvs::{self, DeadEnd, DeadEnds, Explanation, Hindrance, Obstacle, OpenPair};
 use crate::scene::{CellId, PortalGraph};
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// Show the portals and the sightline between two cells, or what blocks them
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The portal graph
+    /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
     /// The cell to look from: its name, or its number
     #[arg(value_name = "A")]
@@ -20,6 +20,8 @@ pub(super) struct Args {
     /// The cell to look at
     #[arg(value_name = "B")]
     to: String,
+    #[command(flatten)]
+    world: WorldArgs,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -29,10 +31,10 @@ pub(super) struct Args {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let input = Input::read(&args.input)?;
-    let graph = world::read_graph(&input)?;
+    let watch = Watch::new(args.progress.reporter(), None);
+    let graph = world::read_graph(&input, &args.world, &watch)?;
     let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));
     let (from, to) = (from?, to?);
-    let watch = Watch::new(args.progress.reporter(), None);
     let Some(explanation) = pvs::explain(&graph, from, to, &watch) else {
         return Ok(Exit::Interrupted);
     };

@@ -1,7 +1,8 @@
-//! An axial box with integer corners, from which planes are cut to polygons.
+//! An axial box, from which planes are cut to polygons.
 
 use super::{PlaneId, PlaneSet, Polygon, Polyhedron};
-use crate::num::{Int, Sign};
+use crate::geom::AxialBox;
+use crate::num::{Rational, Sign};
 use num_traits::Signed;
 
 /// A box: its six planes, outward, those of low coordinates first.
@@ -12,16 +13,37 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box from `low` to `high`.
+    /// The planes of a box.
     ///
     /// # Panics
-    /// If `low` is not below `high` on every axis.
-    pub fn new(planes: &mut PlaneSet, low: &[Int; 3], high: &[Int; 3]) -> Bounds {
-        assert!(low.iter().zip(high).all(|(l, h)| l < h), "a box without volume");
+    /// If the box has no volume.
+    pub fn new(planes: &mut PlaneSet, around: &AxialBox) -> Bounds {
+        assert!(around.has_volume(), "a box without volume");
         Bounds {
-            low: [0, 1, 2].map(|i| planes.axial(i, low[i].clone()).flipped()),
-            high: [0, 1, 2].map(|i| planes.axial(i, high[i].clone())),
+            low: [0, 1, 2].map(|i| planes.axial(i, &around.low[i]).flipped()),
+            high: [0, 1, 2].map(|i| planes.axial(i, &around.high[i])),
         }
+    }
+
+    /// The box by its corners.
+    pub fn corners(&self, planes: &PlaneSet) -> AxialBox {
+        let offset = |plane: PlaneId, axis: usize| {
+            let plane = planes.plane(plane);
+            Rational::new(plane.offset.clone(), plane.normal[axis].clone())
+        };
+        AxialBox {
+            low: [0, 1, 2].map(|i| offset(self.low[i], i)),
+            high: [0, 1, 2].map(|i| offset(self.high[i], i)),
+        }
+    }
+
+    /// What of a polygon lies in the box; `None` where that has no area, or lies in its boundary.
+    pub fn clip(&self, planes: &PlaneSet, polygon: Polygon) -> Option<Polygon> {
+        let sides = self.planes();
+        if sides.iter().any(|side| side.undirected() == polygon.support().undirected()) {
+            return None;
+        }
+        sides.into_iter().try_fold(polygon, |rest, side| rest.inside(planes, side))
     }
 
     /// The six planes, outward.

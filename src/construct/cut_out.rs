@@ -1,19 +1,26 @@
 //! Polyhedra cut out by planes alone, wherever they are.
 
 use super::{Bounds, PlaneId, PlaneSet, Polyhedron, SolidError};
-use crate::geom::RationalPoint3;
-use crate::num::Int;
+use crate::geom::{AxialBox, RationalPoint3};
+use crate::num::{Int, Rational};
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-/// A polyhedron and the integer box around it.
+/// A polyhedron and the box around it.
 #[derive(Clone, Debug)]
 pub struct Boxed {
     /// The polyhedron.
     pub solid: Polyhedron,
-    /// The least corner of the box.
+    /// The box around it.
+    pub around: IntegerBox,
+}
+
+/// A closed axial box with integer corners.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IntegerBox {
+    /// The least corner.
     pub low: [Int; 3],
-    /// The greatest corner of the box.
+    /// The greatest corner.
     pub high: [Int; 3],
 }
 
@@ -32,8 +39,9 @@ impl Limits {
     pub fn new(planes: &mut PlaneSet) -> Limits {
         let (normal, offset) = planes.bits();
         let mut cube = |bits: u64| {
-            let half = Int::one() << bits;
-            Bounds::new(planes, &[0; 3].map(|_| -&half), &[0; 3].map(|_| half.clone()))
+            let half = Rational::from(Int::one() << bits);
+            let (low, high) = ([0; 3].map(|_| -&half), [0; 3].map(|_| half.clone()));
+            Bounds::new(planes, &AxialBox { low, high })
         };
         let sure = 2 * normal + offset + 3;
         Limits([cube(USUAL_BITS.min(sure)), cube(sure)])
@@ -64,35 +72,45 @@ impl Limits {
 impl Boxed {
     fn new(solid: Polyhedron) -> Boxed {
         let points: Vec<RationalPoint3> = solid.faces().iter().flat_map(|f| f.points()).collect();
-        let floor = |i: usize, p: &RationalPoint3| p.numerators()[i].div_floor(p.denominator());
-        let ceil = |i: usize, p: &RationalPoint3| -(-&p.numerators()[i]).div_floor(p.denominator());
-        let all = || points.iter();
-        Boxed {
-            low: [0, 1, 2].map(|i| all().map(|p| floor(i, p)).min().expect("it has vertices")),
-            high: [0, 1, 2].map(|i| all().map(|p| ceil(i, p)).max().expect("it has vertices")),
-            solid,
-        }
-    }
-
-    /// Whether the boxes of two solids have a point in common.
-    pub fn may_touch(&self, other: &Boxed) -> bool {
-        (0..3).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
+        Boxed { around: IntegerBox::around(&points).expect("it has vertices"), solid }
     }
 }
 
-impl Bounds {
-    /// The box of some polyhedra and a margin, or `None` if there are none.
-    pub fn around<'a>(
-        planes: &mut PlaneSet,
-        solids: impl IntoIterator<Item = &'a Boxed> + Clone,
+impl IntegerBox {
+    /// The least integer box that holds all points; `None` where there are none.
+    pub fn around(points: &[RationalPoint3]) -> Option<IntegerBox> {
+        let floor = |i: usize, p: &RationalPoint3| p.numerators()[i].div_floor(p.denominator());
+        let ceil = |i: usize, p: &RationalPoint3| -(-&p.numerators()[i]).div_floor(p.denominator());
+        let low = |i: usize| points.iter().map(|p| floor(i, p)).min();
+        let high = |i: usize| points.iter().map(|p| ceil(i, p)).max();
+        let (low, high) = ([low(0)?, low(1)?, low(2)?], [high(0)?, high(1)?, high(2)?]);
+        Some(IntegerBox { low, high })
+    }
+
+    /// Whether two boxes have a point in common.
+    pub fn touches(&self, other: &IntegerBox) -> bool {
+        (0..3).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
+    }
+
+    /// Whether the box lies within another.
+    pub fn is_in(&self, other: &AxialBox) -> bool {
+        let ends = |i: usize| (self.low[i].clone().into(), self.high[i].clone().into());
+        (0..3).all(|i| {
+            let (low, high): (Rational, Rational) = ends(i);
+            other.low[i] <= low && high <= other.high[i]
+        })
+    }
+
+    /// The box of some boxes and a margin of at least 1, or `None` if there are none.
+    pub fn of_all<'a>(
+        boxes: impl IntoIterator<Item = &'a IntegerBox> + Clone,
         margin: &Int,
-    ) -> Option<Bounds> {
+    ) -> Option<AxialBox> {
         let margin = margin.abs().max(Int::one());
-        let all = || solids.clone().into_iter();
-        let low = |i: usize| all().map(|boxed| &boxed.low[i]).min();
-        let high = |i: usize| all().map(|boxed| &boxed.high[i]).max();
-        let low = [low(0)? - &margin, low(1)? - &margin, low(2)? - &margin];
-        let high = [high(0)? + &margin, high(1)? + &margin, high(2)? + &margin];
-        Some(Bounds::new(planes, &low, &high))
+        let all = || boxes.clone().into_iter();
+        let low = |i: usize| Some(Rational::from(all().map(|b| &b.low[i]).min()? - &margin));
+        let high = |i: usize| Some(Rational::from(all().map(|b| &b.high[i]).max()? + &margin));
+        let (low, high) = ([low(0)?, low(1)?, low(2)?], [high(0)?, high(1)?, high(2)?]);
+        Some(AxialBox { low, high })
     }
 }

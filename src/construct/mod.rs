@@ -6,13 +6,15 @@
 //! against a plane.
 
 mod bounds;
+mod coplanar;
 mod cut_out;
 mod planes;
 mod polygon;
 mod polyhedron;
 
 pub use bounds::Bounds;
-pub use cut_out::{Boxed, Limits};
+pub use coplanar::{PolygonError, hull, merged, minus, polygon_of_points};
+pub use cut_out::{Boxed, IntegerBox, Limits};
 pub use planes::{PlaneId, PlaneSet};
 pub use polygon::{Extent, Polygon, Split};
 pub use polyhedron::{Polyhedron, SolidError, mean};

@@ -1,7 +1,7 @@
 //! Planes by number: equal planes are one, and a plane's two directions differ in one bit.
 
 use crate::geom::BigPlane;
-use crate::num::{Int, Sign};
+use crate::num::{Int, Rational, Sign};
 use crate::predicates::VertexPlane;
 use num_integer::Integer;
 use num_traits::Zero;
@@ -69,10 +69,11 @@ impl PlaneSet {
     }
 
     /// The plane x = at, y = at or z = at, positive towards larger coordinates.
-    pub fn axial(&mut self, axis: usize, at: Int) -> PlaneId {
+    pub fn axial(&mut self, axis: usize, at: &Rational) -> PlaneId {
         let mut normal = [Int::ZERO, Int::ZERO, Int::ZERO];
-        normal[axis] = Int::from(1);
-        self.intern(&BigPlane { normal, offset: at }).expect("the normal is not zero")
+        normal[axis] = at.denom().clone();
+        let plane = BigPlane { normal, offset: at.numer().clone() };
+        self.intern(&plane).expect("the normal is not zero")
     }
 
     /// The plane of an id.

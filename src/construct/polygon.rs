@@ -110,6 +110,21 @@ impl Polygon {
         })
     }
 
+    /// The coordinate of [`Polygon::doubled_area`] along an axis: twice the area of its shadow.
+    pub fn doubled_shadow(&self, axis: usize) -> Rational {
+        let points = self.points();
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        // Relative to a vertex: a fan of triangles.
+        let (first, rest) = points.split_first().expect("a polygon has vertices");
+        let first = first.coordinates();
+        let arm = |p: &RationalPoint3| {
+            let p = p.coordinates();
+            [&p[i] - &first[i], &p[j] - &first[j]]
+        };
+        let arms: Vec<_> = rest.iter().map(arm).collect();
+        arms.windows(2).map(|pair| &pair[0][0] * &pair[1][1] - &pair[0][1] * &pair[1][0]).sum()
+    }
+
     /// The same polygon seen from its other side.
     #[must_use]
     pub fn flipped(&self) -> Polygon {

@@ -4,28 +4,45 @@
 //! their inside, so that faces where brushes touch or coincide neither join nor divide anything
 //! by accident. [`evaluate`] divides a box around all brushes by their planes (Naylor, Amanatides
 //! and Thibault, Merging BSP trees yields polyhedral set operations, 1990) until the expression
-//! has one value in each cell: a brush that holds a cell or misses it is known there, and an
-//! expression is often known before all of its brushes are.
+//! has one value in each cell: a brush that holds a cell or misses it is decided there, and an
+//! expression often before all of its brushes are.
 //!
 //! Invariants: every plane is one of the brushes' own; no vertex is rounded; the result is a
-//! function of the expression. Complexity: with n brushes, O(n) signs a cell and level of the tree.
+//! function of the expression. Complexity: in each cell O(m) signs, m the number of brushes that
+//! are undecided above it: with n brushes that are spread out, O(n log n) in all.
 
 mod boundary;
+mod brush;
+mod divide;
 mod expression;
+mod formula;
+mod hull;
+mod input;
 #[cfg(test)]
 mod tests;
+mod turn;
 
-pub use expression::{Expression, Half, Transform, hull, prism, pyramid};
+pub use brush::{BrushError, cuboid, cylinder, prism, pyramid, sphere, wedge};
+pub use divide::{Child, Node, Tree};
+pub use expression::{Expression, Half, Transform};
+pub use hull::hull;
+pub use input::{MAX_BRUSHES, MAX_DEPTH, NodeError, NodeRule, Placed};
 
-use crate::construct::{Bounds, Boxed, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError};
+use crate::construct::{
+    Bounds, Boxed, IntegerBox, Limits, PlaneSet, Polygon, Polyhedron, SolidError,
+};
+use crate::geom::AxialBox;
 use crate::num::{Int, Rational};
-use expression::{Flat, flatten};
+use divide::{Brush, divide};
+use formula::{Flat, flatten};
 
 /// What an expression comes to.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// The planes of everything below.
     pub planes: PlaneSet,
+    /// The division of space.
+    pub tree: Tree,
     /// Convex cells that tile it.
     pub cells: Vec<Polyhedron>,
     /// Its boundary, as convex polygons that point outwards and overlap in edges at most.
@@ -54,26 +71,7 @@ pub enum CsgError {
     /// A complement that nothing bounds.
     #[error("the expression is unbounded: intersect its complement with a brush")]
     Unbounded,
-    /// No brush with volume.
-    #[error("no brush of the expression has volume")]
-    NoBrush,
 }
-
-/// A tree of splitting planes.
-enum Tree {
-    Split { plane: PlaneId, children: Box<[Tree; 2]> },
-    Inside,
-    Outside,
-}
-
-/// A brush with volume.
-struct Brush {
-    planes: Vec<PlaneId>,
-    solid: Polyhedron,
-}
-
-/// How many planes are weighed for a split.
-const CANDIDATES: usize = 8;
 
 /// The value of an expression.
 ///
@@ -96,31 +94,35 @@ pub fn evaluate(expression: &Expression) -> Result<Body, CsgError> {
             Err(SolidError::Unbounded) => return Err(CsgError::UnboundedBrush { brush }),
         });
     }
-    let bounds = Bounds::around(&mut planes, solids.iter().flatten(), &Int::from(1));
-    let bounds = bounds.ok_or(CsgError::NoBrush)?;
-    // A brush without volume holds nothing.
-    let known = solids.iter().map(|solid| solid.is_none().then_some(false)).collect();
+    let boxes = solids.iter().flatten().map(|body| &body.around);
+    let around = IntegerBox::of_all(boxes, &Int::from(1)).unwrap_or_else(|| {
+        let corner = |at: i32| [at; 3].map(|c| Rational::from(Int::from(c)));
+        AxialBox { low: corner(-1), high: corner(1) }
+    });
+    let bounds = Bounds::new(&mut planes, &around);
     let flat = (0..solids.len()).filter(|&brush| solids[brush].is_none()).collect();
     let brushes: Vec<Option<Brush>> = (solids.into_iter().zip(ids))
         .map(|(solid, planes)| solid.map(|Boxed { solid, .. }| Brush { planes, solid }))
         .collect();
-    let mut division = Division {
-        planes: &planes,
-        bounds: &bounds,
-        brushes: &brushes,
-        formula,
-        cells: Vec::new(),
-    };
-    let tree = division.divide(bounds.polyhedron(&planes), known);
-    let cells = division.cells;
-    let is_at_bounds = |cell: &Polyhedron| {
-        cell.faces().iter().any(|face| bounds.planes().contains(&face.support()))
-    };
-    if cells.iter().any(is_at_bounds) {
+    let (tree, cells) = divide(&planes, &bounds, &brushes, formula);
+    let ends = bounds.planes();
+    let is_end = |face: &Polygon| ends.contains(&face.support());
+    if cells.iter().any(|cell| cell.solid.faces().iter().any(is_end)) {
         return Err(CsgError::Unbounded);
     }
     let boundary = boundary::of(&planes, &tree, &cells);
-    Ok(Body { planes, cells, boundary, flat })
+    let cells = cells.into_iter().map(|cell| cell.solid).collect();
+    Ok(Body { planes, tree, cells, boundary, flat })
+}
+
+impl CsgError {
+    /// The brush that it is about, counted from 0 in the order of the expression.
+    pub fn brush(&self) -> Option<usize> {
+        match self {
+            CsgError::NoNormal { brush, .. } | CsgError::UnboundedBrush { brush } => Some(*brush),
+            CsgError::Unbounded => None,
+        }
+    }
 }
 
 impl Body {
@@ -132,84 +134,5 @@ impl Body {
     /// The area of its boundary, if that is rational.
     pub fn surface_area(&self) -> Option<Rational> {
         self.boundary.iter().map(boundary::area).sum()
-    }
-}
-
-/// The division of the box.
-struct Division<'a> {
-    planes: &'a PlaneSet,
-    bounds: &'a Bounds,
-    brushes: &'a [Option<Brush>],
-    formula: expression::Formula,
-    /// The cells inside.
-    cells: Vec<Polyhedron>,
-}
-
-impl Division<'_> {
-    fn divide(&mut self, cell: Polyhedron, mut known: Vec<Option<bool>>) -> Tree {
-        self.settle(&cell, &mut known);
-        match self.formula.value(&known) {
-            Some(true) => {
-                self.cells.push(cell);
-                Tree::Inside
-            }
-            Some(false) => Tree::Outside,
-            None => {
-                let plane = self.choose(&cell, &known);
-                let section = cell.section(self.planes, self.bounds, plane);
-                let [front, back] = cell.split(self.planes, &section);
-                let front = self.divide(front, known.clone());
-                let back = self.divide(back, known);
-                Tree::Split { plane, children: Box::new([front, back]) }
-            }
-        }
-    }
-
-    /// Notes the brushes that hold the cell or miss it.
-    fn settle(&self, cell: &Polyhedron, known: &mut [Option<bool>]) {
-        for (known, brush) in known.iter_mut().zip(self.brushes) {
-            let Some(brush) = brush.as_ref().filter(|_| known.is_none()) else { continue };
-            let mut holds = true;
-            for &plane in &brush.planes {
-                let extent = cell.extent(self.planes, plane);
-                if !extent.back {
-                    *known = Some(false);
-                }
-                holds &= !extent.front;
-            }
-            if holds && known.is_none() {
-                *known = Some(true);
-            }
-        }
-    }
-
-    /// Of some planes that cross the cell, the one that leaves most brushes to one side, evenly.
-    fn choose(&self, cell: &Polyhedron, known: &[Option<bool>]) -> PlaneId {
-        let open: Vec<&Brush> = (self.brushes.iter().zip(known))
-            .filter(|(_, known)| known.is_none())
-            .filter_map(|(brush, _)| brush.as_ref())
-            .collect();
-        let crosses = |plane: &PlaneId| {
-            let extent = cell.extent(self.planes, *plane);
-            extent.front && extent.back
-        };
-        let step = open.len().div_ceil(CANDIDATES);
-        let sampled = open.iter().step_by(step);
-        let candidates =
-            sampled.flat_map(|brush| brush.planes.iter().copied().filter(crosses).take(2));
-        candidates
-            .min_by_key(|&plane| {
-                let (mut front, mut back, mut both) = (0usize, 0usize, 0usize);
-                for brush in &open {
-                    let extent = brush.solid.extent(self.planes, plane);
-                    match (extent.front, extent.back) {
-                        (true, true) => both += 1,
-                        (true, false) => front += 1,
-                        (false, _) => back += 1,
-                    }
-                }
-                front.abs_diff(back) + 2 * both
-            })
-            .expect("a brush that neither holds nor misses a cell has a plane across it")
     }
 }

@@ -19,9 +19,11 @@ mod layout;
 mod read;
 #[cfg(test)]
 mod tests;
+mod tree;
 mod write;
 
 pub use layout::BspFormat;
+pub use tree::{LevelChild, LevelNode, LevelTree};
 pub use write::write_visibility;
 
 /// A square matrix of bits.
@@ -181,6 +183,32 @@ pub enum BspErrorKind {
     /// What was written would not be what a game reads.
     #[error("the level's lumps overlap, so that visibility written into it would not read back")]
     NotReadBack,
+    /// A format whose tree is not read.
+    #[error("the tree of a level of {0} is not read, expected one of Quake or GoldSrc")]
+    NoTree(BspFormat),
+    /// A plane with a coefficient that is infinite or no number.
+    #[error("a plane with a coefficient that is not finite")]
+    NotFinite,
+    /// A node with a plane that does not exist.
+    #[error("node {node} has plane {plane}, which does not exist")]
+    NodePlane {
+        /// The node.
+        node: usize,
+        /// The number of its plane.
+        plane: i32,
+    },
+    /// A child that does not exist, or a node before its parent.
+    #[error(
+        "a child {child}, expected a leaf (-1 - its number) or a node from {first} below {nodes}"
+    )]
+    NodeChild {
+        /// The child, as stated.
+        child: i32,
+        /// The least node that it may be.
+        first: usize,
+        /// The number of nodes.
+        nodes: usize,
+    },
     /// The level would outgrow its 31-bit offsets.
     #[error("the level would have {0} bytes, more than its format can address")]
     TooLarge(usize),

@@ -1,4 +1,4 @@
-//! JSON scenes, `stabline-scene/1`: cells by name and the portals between them.
+//! JSON scenes, `stabline-scene/1`: cells by name and the portals between them, or geometry.
 //!
 //! Numbers are read from their text, so that a decimal keeps all its digits: `12`, `12.125`,
 //! `1e-3`, and as strings also `"7/3"`. Linear in the size of the file.
@@ -7,8 +7,16 @@ use crate::num::{Int, Number};
 use num_traits::{One, Signed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error};
-use serde_json::value::RawValue;
+use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+mod geometry;
+
+pub use geometry::{
+    BrushShape, GeometryFile, SceneBrush, SceneObject, ScenePlane, ScenePoint, ScenePolygon,
+    SceneSolid,
+};
 
 /// The name of the format.
 pub const SCENE_FORMAT: &str = "stabline-scene/1";
@@ -16,7 +24,7 @@ pub const SCENE_FORMAT: &str = "stabline-scene/1";
 /// A scene: convex cells and the convex polygons through which one sees from one into another.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "stabline-scene/1")]
+#[schemars(rename = "PortalGraph")]
 pub struct SceneFile {
     /// The point of the scene: what is special about it, and what must come out.
     pub about: String,
@@ -79,17 +87,79 @@ impl SceneFile {
     /// # Errors
     /// [`SceneFileError`] names the line and the rule broken.
     pub fn read(bytes: &[u8]) -> Result<SceneFile, SceneFileError> {
-        let file: SceneFile = serde_json::from_slice(bytes).map_err(|error| {
-            let what = error.to_string();
-            // serde_json ends its message with the place, which is kept apart here.
-            let what = what.split(" at line ").next().unwrap_or_default().to_owned();
-            SceneFileError { line: error.line(), column: error.column(), what }
-        })?;
-        if file.format != SCENE_FORMAT {
-            let what = format!("format: expected `{SCENE_FORMAT}`, got `{}`", file.format);
-            return Err(SceneFileError { line: 1, column: 1, what });
-        }
+        let file: SceneFile = parse(bytes)?;
+        check_format(&file.format)?;
         Ok(file)
+    }
+}
+
+fn parse<'b, T: Deserialize<'b>>(bytes: &'b [u8]) -> Result<T, SceneFileError> {
+    serde_json::from_slice(bytes).map_err(|error| {
+        let what = error.to_string();
+        // serde_json ends its message with the place, which is kept apart here.
+        let what = what.split(" at line ").next().unwrap_or_default().to_owned();
+        SceneFileError { line: error.line(), column: error.column(), what }
+    })
+}
+
+fn check_format(format: &str) -> Result<(), SceneFileError> {
+    if format == SCENE_FORMAT {
+        return Ok(());
+    }
+    let what = format!("format: expected `{SCENE_FORMAT}`, got `{}`", excerpt(format));
+    Err(SceneFileError { line: 1, column: 1, what })
+}
+
+/// What a scene states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneKind {
+    /// Cells and portals: [`SceneFile`].
+    Graph,
+    /// What stands in space: [`GeometryFile`].
+    Geometry,
+}
+
+impl SceneKind {
+    /// What the fields of a scene make it, whatever they hold.
+    ///
+    /// # Errors
+    /// [`SceneFileError`]: not an object of JSON, or fields of both kinds.
+    pub fn of(bytes: &[u8]) -> Result<SceneKind, SceneFileError> {
+        let fields: BTreeMap<Cow<str>, &RawValue> = parse(bytes)?;
+        let own = |names: &[&'static str]| {
+            names.iter().find_map(|&name| Some((name, *fields.get(name)?)))
+        };
+        match (own(&["cells", "portals"]), own(&GeometryFile::OWN_FIELDS)) {
+            (_, None) => Ok(SceneKind::Graph),
+            (None, Some(_)) => Ok(SceneKind::Geometry),
+            (Some((of_graph, _)), Some((of_geometry, value))) => {
+                // The value is a part of the text.
+                let before = value.get().as_ptr() as usize - bytes.as_ptr() as usize;
+                let before = &bytes[..before];
+                let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+                let column = before.iter().rev().take_while(|&&byte| byte != b'\n').count() + 1;
+                let what = format!(
+                    "`{of_geometry}` states geometry and `{of_graph}` a portal graph, expected one \
+                     of the two"
+                );
+                Err(SceneFileError { line, column, what })
+            }
+        }
+    }
+
+    /// The JSON schema of the format.
+    pub fn schema() -> Value {
+        let mut generator = SchemaGenerator::default();
+        let graph = generator.subschema_for::<SceneFile>();
+        let geometry = generator.subschema_for::<GeometryFile>();
+        let mut schema = json_schema!({
+            "$schema": "https://json-schema.org/draft/2020-12/schema",
+            "title": SCENE_FORMAT,
+            "description": "A scene: cells and portals, or what stands in space.",
+            "oneOf": [graph, geometry],
+        });
+        schema.insert("$defs".to_owned(), generator.take_definitions(true).into());
+        schema.to_value()
     }
 }
 
@@ -171,14 +241,9 @@ impl JsonSchema for Grid {
 }
 
 impl SceneFile {
-    /// The JSON schema of the format.
-    pub fn schema() -> serde_json::Value {
-        schemars::schema_for!(SceneFile).to_value()
-    }
-
     /// The canonical text of a scene, one portal a line.
     pub fn to_text(&self) -> String {
-        let quoted = |text: &str| serde_json::Value::from(text).to_string();
+        let quoted = |text: &str| Value::from(text).to_string();
         let mut text = format!(
             "{{\"about\": {},\n\"format\": {},\n",
             quoted(&self.about),

@@ -6,10 +6,13 @@
 
 pub mod blake3;
 pub mod bsp;
+pub mod csg;
+pub mod gltf;
 pub mod json;
 pub mod lines;
 pub mod map;
 pub mod mesh;
 pub mod npy;
+pub mod obj;
 pub mod prt;
 pub mod sequence;

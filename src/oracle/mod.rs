@@ -6,12 +6,18 @@
 
 mod families;
 mod linear;
+mod motion;
+mod overlap;
 mod plane;
 mod polynomial;
 mod pvs;
 mod sequence;
+mod world;
 
 pub use families::{Family, Random, sequence, sequence_2d};
+pub use motion::first_contact;
+pub use overlap::overlap;
 pub use plane::{PlaneTruth, classify_2d};
 pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};
+pub use world::{Occluders, middle_within};

@@ -9,7 +9,7 @@ use crate::subdivision::{LeafId, Subdivision};
 pub struct Cells {
     /// The leaf of each cell, ascending.
     pub leaves: Vec<LeafId>,
-    /// The portals between cells, by `from`, then `to`; each pair of cells has at most one.
+    /// The portals between cells, by `from`, then `to`; those of one pair lie in one plane.
     pub portals: Vec<CellPortal>,
 }
 

@@ -1,8 +1,10 @@
 //! Inside and outside: what is reached from points, and the shortest way out.
 
 use super::Portal;
-use crate::construct::mean;
+use crate::construct::{PlaneId, mean};
 use crate::geom::RationalPoint3;
+use crate::num::Sign;
+use crate::predicates::side_of_point;
 use crate::subdivision::{LeafId, Subdivision};
 use std::collections::VecDeque;
 
@@ -25,7 +27,8 @@ pub struct Leak {
     /// The leaves on the way; the last one touches the boundary of the box.
     pub leaves: Vec<LeafId>,
     /// The point, then a point inside of each portal on the way, then one inside the last leaf;
-    /// consecutive points lie in one closed leaf, so their segment meets no solid's interior.
+    /// between two points that lie in one face of a leaf, one inside that leaf. Consecutive points
+    /// lie in one closed leaf, and their segment meets no occluder but at its ends.
     pub path: Vec<RationalPoint3>,
 }
 
@@ -92,19 +95,35 @@ fn trace(
     came: &[Came],
     exit: LeafId,
 ) -> Leak {
+    let inner = |leaf: LeafId| subdivision.leaf(leaf).cell.inner_point();
     let mut leaves = vec![exit];
-    let mut path = vec![subdivision.leaf(exit).cell.inner_point()];
+    let mut path = vec![inner(exit)];
     let mut leaf = exit;
+    // The plane that the last point of the path lies in.
+    let mut plane: Option<PlaneId> = None;
+    let lies_in = |point: &RationalPoint3, plane| {
+        // In the plane of a face, the way along it might run across what lies in it.
+        side_of_point(subdivision.planes.get(plane), point) == Sign::Zero
+    };
     let start = loop {
         match came[leaf.0 as usize] {
             Came::Point(start) => break start,
             Came::Portal(portal, before) => {
-                path.push(mean(portals[portal as usize].polygon.points().into_iter()));
+                let polygon = &portals[portal as usize].polygon;
+                let next = mean(polygon.points().into_iter());
+                if plane.is_some_and(|plane| lies_in(&next, plane)) {
+                    path.push(inner(leaf));
+                }
+                plane = Some(polygon.support());
+                path.push(next);
                 leaves.push(before);
                 leaf = before;
             }
         }
     };
+    if plane.is_some_and(|plane| lies_in(&points[start], plane)) {
+        path.push(inner(leaf));
+    }
     path.push(points[start].clone());
     leaves.reverse();
     path.reverse();

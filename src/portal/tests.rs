@@ -1,24 +1,32 @@
-use super::{Cells, Portal, enumerate, flood};
-use crate::construct::{Polygon, mean};
+use super::{Cells, Portal, check, enumerate, flood};
+use crate::construct::{Polygon, mean, minus, polygon_of_points};
 use crate::geom::RationalPoint3;
 use crate::num::{Int, Rational, Sign};
 use crate::predicates::side_of_point;
-use crate::subdivision::tests::{Random, cuboid, place, random_solids};
-use crate::subdivision::{LeafId, Options, Solid, Subdivision, build};
+use crate::report::Silent;
+use crate::subdivision::tests::{
+    Random, around_solids, cuboid, place, random_occluders, random_solids, whole as point,
+};
+use crate::subdivision::{LeafId, Occluders, Options, PortalShape, Solid, Subdivision, build};
 use std::collections::BTreeMap;
 
 fn divide(solids: &[Solid]) -> (Subdivision, Vec<Portal>) {
-    let subdivision = build(solids, &[], &Options::default()).unwrap();
-    let portals = enumerate(&subdivision);
+    let mut subdivision = build(&around_solids(solids), &Options::default(), &Silent).unwrap();
+    let portals = enumerate(&mut subdivision, PortalShape::default());
     (subdivision, portals)
 }
 
-fn point(coordinates: [i64; 3]) -> RationalPoint3 {
-    RationalPoint3::new(coordinates.map(Int::from), Int::from(1))
-}
-
-/// All pairs of empty leaves with a common polygon, face by face: the twin of the tree's way.
-fn common_faces(subdivision: &Subdivision) -> BTreeMap<(LeafId, LeafId), [Rational; 3]> {
+/// The doubled areas of what all pairs of empty leaves share, face by face, less the polygons
+/// themselves: the twin of the tree's way.
+fn common_faces(
+    subdivision: &Subdivision,
+    occluders: &Occluders,
+) -> BTreeMap<(LeafId, LeafId), [Rational; 3]> {
+    let mut planes = subdivision.planes.clone();
+    let thin: Vec<Polygon> = (occluders.polygons.iter())
+        .map(|points| polygon_of_points(&mut planes, points).unwrap())
+        .collect();
+    let planes = &planes;
     let mut common = BTreeMap::new();
     let empty = || subdivision.leaf_ids().filter(|&leaf| !subdivision.leaf(leaf).solid);
     for from in empty() {
@@ -31,18 +39,39 @@ fn common_faces(subdivision: &Subdivision) -> BTreeMap<(LeafId, LeafId), [Ration
                     continue;
                 }
                 let others = b.faces().iter().map(Polygon::support);
-                let planes = &subdivision.planes;
                 let shared = others
                     .filter(|plane| *plane != support.flipped())
                     .try_fold(face.clone(), |rest, plane| rest.inside(planes, plane));
-                if let Some(shared) = shared {
-                    let twice = common.insert((from, to), shared.doubled_area());
+                let coplanar = thin.iter().filter(|p| p.support().undirected() == support);
+                let pieces =
+                    coplanar.fold(shared.into_iter().collect(), |pieces: Vec<_>, other| {
+                        pieces.into_iter().flat_map(|piece| minus(planes, piece, other)).collect()
+                    });
+                if !pieces.is_empty() {
+                    let twice = common.insert((from, to), area(&pieces));
                     assert_eq!(twice, None, "two leaves share two faces");
                 }
             }
         }
     }
     common
+}
+
+/// The sum of the doubled areas of polygons that look the same way.
+fn area<'a>(polygons: impl IntoIterator<Item = &'a Polygon>) -> [Rational; 3] {
+    let zero = [(); 3].map(|()| Rational::from(Int::ZERO));
+    polygons
+        .into_iter()
+        .map(Polygon::doubled_area)
+        .fold(zero, |sum, area| std::array::from_fn(|i| &sum[i] + &area[i]))
+}
+
+fn areas(portals: &[Portal]) -> BTreeMap<(LeafId, LeafId), [Rational; 3]> {
+    let mut pairs: BTreeMap<_, Vec<&Polygon>> = BTreeMap::new();
+    for portal in portals {
+        pairs.entry((portal.from, portal.to)).or_default().push(&portal.polygon);
+    }
+    pairs.into_iter().map(|(pair, polygons)| (pair, area(polygons))).collect()
 }
 
 #[test]
@@ -56,8 +85,79 @@ fn portals_are_the_common_faces_of_empty_leaves() {
             .map(|portal| ((portal.from, portal.to), portal.polygon.doubled_area()))
             .collect();
         assert_eq!(found.len(), portals.len(), "seed {seed}");
-        assert_eq!(found, common_faces(&subdivision), "seed {seed}");
+        assert_eq!(found, common_faces(&subdivision, &around_solids(&[])), "seed {seed}");
     }
+}
+
+#[test]
+fn portals_are_what_thin_polygons_leave_of_the_common_faces() {
+    let (mut several, mut merged_away, mut wider) = (0, 0, 0);
+    for seed in 1..150 {
+        let occluders = random_occluders(&mut Random::new(seed));
+        let mut subdivision = build(&occluders, &Options::default(), &Silent).unwrap();
+        let exact = enumerate(&mut subdivision, PortalShape::Exact);
+        let merged = enumerate(&mut subdivision, PortalShape::Merged);
+        let common = common_faces(&subdivision, &occluders);
+        assert_eq!(areas(&exact), common, "seed {seed}");
+        assert_eq!(areas(&merged), common, "seed {seed}");
+        for portals in [&exact, &merged] {
+            check(&subdivision, portals, &occluders, false)
+                .unwrap_or_else(|violation| panic!("seed {seed}: {violation}"));
+        }
+        let hulls = enumerate(&mut subdivision, PortalShape::Hull);
+        check(&subdivision, &hulls, &occluders, true).unwrap();
+        let square = |area: &[Rational; 3]| area.iter().map(|c| c * c).sum::<Rational>();
+        let hull_areas = areas(&hulls);
+        assert_eq!(hull_areas.len(), hulls.len(), "seed {seed}: one for each pair of leaves");
+        assert!(hull_areas.keys().eq(common.keys()));
+        for (pair, area) in &hull_areas {
+            assert!(square(area) >= square(&common[pair]), "seed {seed} {pair:?}");
+            wider += usize::from(*area != common[pair]);
+        }
+        several += merged.len() - hulls.len();
+        merged_away += exact.len() - merged.len();
+    }
+    assert!(several > 20 && merged_away > 20 && wider > 20, "{several} {merged_away} {wider}");
+}
+
+#[test]
+fn a_window_in_a_thin_wall_joins_two_cells() {
+    // A wall across the view in four pieces, round a window: one portal. With a bar in it, two,
+    // whose hull is the window again.
+    let third = |n: i64| Rational::new(Int::from(n), Int::from(3));
+    let view = crate::geom::AxialBox {
+        low: [third(0), third(0), third(0)],
+        high: [third(18), third(19), third(20)],
+    };
+    let wall = |low: [i64; 2], high: [i64; 2]| -> Vec<RationalPoint3> {
+        let corners = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
+        corners.map(|[y, z]| point([3, y, z])).into()
+    };
+    let mut polygons = vec![
+        wall([0, 0], [2, 9]),
+        wall([4, -1], [9, 9]),
+        wall([2, 0], [4, 1]),
+        wall([1, 4], [5, 7]),
+    ];
+    let count = |polygons: &[Vec<RationalPoint3>], shape: PortalShape| {
+        let occluders = Occluders {
+            polygons: polygons.to_vec(),
+            view: Some(view.clone()),
+            ..Occluders::default()
+        };
+        let mut subdivision = build(&occluders, &Options::default(), &Silent).unwrap();
+        assert_eq!(subdivision.leaves.len(), 2);
+        let portals = enumerate(&mut subdivision, shape);
+        check(&subdivision, &portals, &occluders, false).unwrap_or_else(|violation| {
+            assert_eq!(shape, PortalShape::Hull, "{violation}");
+        });
+        let twice = area(portals.iter().map(|portal| &portal.polygon));
+        (portals.len(), twice[0].to_integer())
+    };
+    assert_eq!(count(&polygons, PortalShape::Merged), (1, Int::from(12)));
+    polygons.push(wall([2, 2], [4, 3]));
+    assert_eq!(count(&polygons, PortalShape::Merged), (2, Int::from(8)));
+    assert_eq!(count(&polygons, PortalShape::Hull), (1, Int::from(12)));
 }
 
 #[test]
@@ -151,8 +251,8 @@ fn filling_keeps_what_is_reached_and_nothing_else() {
     let (subdivision, portals) = divide(&solids);
     let start = [point([1, 1, 1])];
     let first = flood(&subdivision, &portals, &start);
-    let filled = subdivision.filled(&first.inside, &Options::default());
-    let portals = enumerate(&filled);
+    let mut filled = subdivision.filled(&first.inside, &Options::default(), &Silent).unwrap();
+    let portals = enumerate(&mut filled, PortalShape::default());
     let second = flood(&filled, &portals, &start);
     assert_eq!(second.leak, None);
     for leaf in filled.leaf_ids() {
@@ -172,6 +272,32 @@ fn filling_keeps_what_is_reached_and_nothing_else() {
     let cells = Cells::of(&filled, &portals, &second.inside);
     assert_eq!(cells.portals.len(), portals.len());
     assert!(cells.portals.iter().all(|portal| portal.from != portal.to));
-    let nothing = subdivision.filled(&vec![false; subdivision.leaves.len()], &Options::default());
+    let nothing = vec![false; subdivision.leaves.len()];
+    let nothing = subdivision.filled(&nothing, &Options::default(), &Silent).unwrap();
     assert!(nothing.leaves.iter().all(|leaf| leaf.solid));
+}
+
+#[test]
+fn filling_makes_a_thin_wall_the_boundary_of_what_is_reached() {
+    for seed in 1..120 {
+        let random = &mut Random::new(seed);
+        let occluders = random_occluders(random);
+        let mut subdivision = build(&occluders, &Options::default(), &Silent).unwrap();
+        let portals = enumerate(&mut subdivision, PortalShape::Exact);
+        let start = [point([(); 3].map(|()| random.within(0, 4)))];
+        let first = flood(&subdivision, &portals, &start);
+        let mut filled = subdivision.filled(&first.inside, &Options::default(), &Silent).unwrap();
+        filled.check(&occluders, true, 10, seed).unwrap();
+        let portals = enumerate(&mut filled, PortalShape::Merged);
+        check(&filled, &portals, &occluders, false)
+            .unwrap_or_else(|violation| panic!("seed {seed}: {violation}"));
+        let volume = |of: &Subdivision, kept: &dyn Fn(LeafId) -> bool| -> Rational {
+            let leaves = of.leaf_ids().filter(|&leaf| kept(leaf));
+            leaves.map(|leaf| of.leaf(leaf).cell.volume()).sum()
+        };
+        let reached = volume(&subdivision, &|leaf| first.inside[leaf.0 as usize]);
+        assert_eq!(volume(&filled, &|leaf| !filled.leaf(leaf).solid), reached, "seed {seed}");
+        let second = flood(&filled, &portals, &start);
+        assert_eq!(volume(&filled, &|leaf| second.inside[leaf.0 as usize]), reached);
+    }
 }

@@ -3,9 +3,12 @@
 use super::{Cells, Flood, Leak, Portal, enumerate, flood};
 use crate::geom::RationalPoint3;
 use crate::num::Number;
-use crate::scene::world::{Inside, Mark, Place, World};
+use crate::report::{Progress, Silent};
+use crate::scene::world::{Inside, Mark, Place, World, WorldHint};
 use crate::scene::{PortalGraph, RawGraph, RawPortal, SceneError};
-use crate::subdivision::{self, DivisionError, LeafId, Options, Subdivision};
+use crate::subdivision::{
+    self, DivisionError, Hint, LeafId, Occluders, Options, PortalShape, Subdivision,
+};
 
 /// The cells of a world.
 #[derive(Clone, Debug)]
@@ -14,6 +17,8 @@ pub struct WorldCells {
     pub subdivision: Subdivision,
     /// The leaf of each cell, ascending.
     pub leaves: Vec<LeafId>,
+    /// All portals of the division.
+    pub shared: Vec<Portal>,
     /// The portals between the cells; cell `i` is leaf `leaves[i]`.
     pub graph: PortalGraph,
     /// The marks that lie in no empty leaf, by index.
@@ -45,24 +50,46 @@ pub enum WorldError {
     Graph(#[from] SceneError),
 }
 
+/// What divides a world's space.
+pub fn occluders_of(world: &World) -> Occluders {
+    let hint = |hint: &WorldHint| Hint { planes: hint.planes.clone(), splits: hint.splits.clone() };
+    Occluders {
+        solids: world.solids.iter().map(|solid| solid.planes.clone()).collect(),
+        polygons: world.polygons.iter().map(|polygon| polygon.vertices.clone()).collect(),
+        hints: world.hints.iter().map(hint).collect(),
+        view: world.view.clone(),
+    }
+}
+
+/// [`divide_world`] without telling of its progress.
+///
+/// # Errors
+/// As there.
+pub fn cells_of_world(world: &World, options: &Options) -> Result<WorldCells, WorldError> {
+    divide_world(world, options, &Silent)
+}
+
 /// Divides a world's box, and keeps the empty leaves that are asked about.
 ///
 /// # Errors
 /// [`WorldError`]; a leak with its shortest way, counted in portals.
-pub fn cells_of_world(world: &World, options: &Options) -> Result<WorldCells, WorldError> {
-    let solids: Vec<_> = world.solids.iter().map(|solid| solid.planes.clone()).collect();
-    let hints: Vec<_> =
-        world.hints.iter().map(|hint| (hint.planes.clone(), hint.splits.clone())).collect();
-    let subdivision = subdivision::build(&solids, &hints, options)?;
-    let portals = enumerate(&subdivision);
-    let (subdivision, portals, chosen, buried) = match &world.inside {
+pub fn divide_world(
+    world: &World,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<WorldCells, WorldError> {
+    let subdivision = subdivision::build(&occluders_of(world), options, progress)?;
+    let (mut subdivision, chosen, buried) = match &world.inside {
         Inside::Everywhere => {
             let chosen = vec![true; subdivision.leaves.len()];
-            (subdivision, portals, chosen, Vec::new())
+            (subdivision, chosen, Vec::new())
         }
-        Inside::Reached(marks) => reached(world, marks, subdivision, &portals, options)?,
+        Inside::Reached(marks) => reached(world, marks, subdivision, options, progress)?,
     };
-    let Cells { leaves, portals } = Cells::of(&subdivision, &portals, &chosen);
+    progress.begin("portals", 0);
+    let shared = enumerate(&mut subdivision, options.portals);
+    progress.begin("graph", 0);
+    let Cells { leaves, portals } = Cells::of(&subdivision, &shared, &chosen);
     let portals = portals.into_iter().map(|portal| RawPortal {
         cells: [portal.from, portal.to],
         vertices: portal.polygon.iter().map(<[Number; 3]>::from).collect(),
@@ -74,25 +101,27 @@ pub fn cells_of_world(world: &World, options: &Options) -> Result<WorldCells, Wo
         leaf_to_cell: (0..leaves.len() as u32).collect(),
         declared_grid: None,
     })?;
-    Ok(WorldCells { subdivision, leaves, graph, buried })
+    Ok(WorldCells { subdivision, leaves, shared, graph, buried })
 }
 
-/// A division, its portals, for each leaf whether it is inside, and the buried marks.
-type Chosen = (Subdivision, Vec<Portal>, Vec<bool>, Vec<usize>);
+/// A division, for each leaf whether it is inside, and the buried marks.
+type Chosen = (Subdivision, Vec<bool>, Vec<usize>);
 
 /// Keeps what the marks reach; without what lies outside, the same space takes fewer cells.
 fn reached(
     world: &World,
     marks: &[Mark],
-    subdivision: Subdivision,
-    portals: &[Portal],
+    mut subdivision: Subdivision,
     options: &Options,
+    progress: &dyn Progress,
 ) -> Result<Chosen, WorldError> {
     if marks.is_empty() {
         return Err(WorldError::NoMark);
     }
     let points: Vec<RationalPoint3> = marks.iter().map(|mark| mark.point.clone()).collect();
-    let Flood { inside, buried, leak } = flood(&subdivision, portals, &points);
+    progress.begin("flood", 0);
+    let portals = enumerate(&mut subdivision, PortalShape::Exact);
+    let Flood { inside, buried, leak } = flood(&subdivision, &portals, &points);
     if buried.len() == points.len() {
         return Err(WorldError::AllBuried(points.len()));
     }
@@ -100,8 +129,8 @@ fn reached(
         let place = marks[leak.start].place.clone();
         return Err(WorldError::Leak { leak: Box::new(leak), place });
     }
-    let subdivision = subdivision.filled(&inside, options);
-    let portals = enumerate(&subdivision);
-    let Flood { inside, buried, .. } = flood(&subdivision, &portals, &points);
-    Ok((subdivision, portals, inside, buried))
+    let subdivision = subdivision.filled(&inside, options, progress)?;
+    // All that is not reached is filled.
+    let inside = subdivision.leaves.iter().map(|leaf| !leaf.solid).collect();
+    Ok((subdivision, inside, buried))
 }

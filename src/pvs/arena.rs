@@ -11,7 +11,7 @@ use super::propose::Outline;
 use crate::geom::BigPoint3;
 use crate::num::{Int, Sign};
 use crate::predicates::filtered::{Approx3, Bound, FilteredLine, FilteredPlane};
-use crate::scene::{CellOrder, PortalGraph, PortalId};
+use crate::scene::{CellOrder, ObjectGraph, PortalGraph, PortalId};
 use crate::stab::Portal3;
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
@@ -95,6 +95,8 @@ pub(crate) struct Arena {
     leaving: Vec<Directed>,
     leaving_of: Vec<u32>,
     cells: u32,
+    /// The first of the cells that lines enter and do not leave: the objects.
+    objects: u32,
     order: CellOrder,
     /// The input's number of each planar portal.
     sources: Vec<u32>,
@@ -102,15 +104,27 @@ pub(crate) struct Arena {
 
 impl Arena {
     pub fn new(graph: &PortalGraph) -> Arena {
-        Arena::bounded(graph, |points| Bound::of(points).doubled())
+        Arena::bounded(graph, CellOrder::new(graph), |points| Bound::of(points).doubled())
+    }
+
+    /// The same for cells and objects. The cells are convex and an object's portals lie in the
+    /// closed cells, so a line that crosses two portals of a cell does so in order.
+    pub fn with_objects(objects: &ObjectGraph) -> Arena {
+        let order = CellOrder::default();
+        let bound = |points: &[Approx3]| Bound::of(points).doubled();
+        Arena { objects: objects.cells, ..Arena::bounded(&objects.graph, order, bound) }
     }
 
     /// The same, with filters that never decide.
     pub fn without_filters(graph: &PortalGraph) -> Arena {
-        Arena::bounded(graph, |_| Bound::NEVER)
+        Arena::bounded(graph, CellOrder::new(graph), |_| Bound::NEVER)
     }
 
-    fn bounded(graph: &PortalGraph, bound: impl Fn(&[Approx3]) -> Bound) -> Arena {
+    fn bounded(
+        graph: &PortalGraph,
+        order: CellOrder,
+        bound: impl Fn(&[Approx3]) -> Bound,
+    ) -> Arena {
         let grid = Grid::new(graph);
         let points: Vec<Approx3> = graph.vertices.iter().map(Grid::approximate).collect();
         let mut arena = Arena {
@@ -126,7 +140,8 @@ impl Arena {
             leaving: Vec::new(),
             leaving_of: Vec::new(),
             cells: graph.cells.len() as u32,
-            order: CellOrder::new(graph),
+            objects: graph.cells.len() as u32,
+            order,
             sources: graph.portals.iter().map(|portal| portal.source).collect(),
         };
         for portal in &graph.portals {
@@ -195,6 +210,17 @@ impl Arena {
     pub fn leaving(&self, cell: u32) -> &[Directed] {
         let [first, end] = [cell, cell + 1].map(|i| self.leaving_of[i as usize] as usize);
         &self.leaving[first..end]
+    }
+
+    /// The directed portals through which a line goes on that has entered `cell`: those that leave
+    /// it, or none where it is an object.
+    pub fn onward(&self, cell: u32) -> &[Directed] {
+        if self.is_object(cell) { &[] } else { self.leaving(cell) }
+    }
+
+    /// Whether lines end in `cell`.
+    pub fn is_object(&self, cell: u32) -> bool {
+        cell >= self.objects
     }
 
     pub fn vertices(&self, portal: Directed) -> &[u32] {

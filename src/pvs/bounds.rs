@@ -83,7 +83,7 @@ impl Bounds {
         let mut planes = Vec::new();
         let mut hints = PlaneHints::default();
         let mut flood = Flood::new(arena);
-        for &next in arena.leaving(arena.to(portal)) {
+        for &next in arena.onward(arena.to(portal)) {
             if !self.after(portal).has(next) {
                 continue;
             }
@@ -123,7 +123,7 @@ fn flood_planes(arena: &Arena, fronts: &[Bits], portal: Directed) -> Bits {
     entered.insert(arena.to(portal));
     let front = &fronts[portal as usize];
     while let Some(cell) = stack.pop() {
-        for &next in arena.leaving(cell) {
+        for &next in arena.onward(cell) {
             let can_follow = next / 2 != portal / 2
                 && front.has(next / 2)
                 && fronts[reverse(next) as usize].has(portal / 2);
@@ -162,7 +162,7 @@ impl Flood {
         self.entered.insert(arena.to(first));
         self.stack.push(arena.to(first));
         while let Some(cell) = self.stack.pop() {
-            for &next in arena.leaving(cell) {
+            for &next in arena.onward(cell) {
                 if candidates.has(next) && !is_behind(next) {
                     self.reached.insert(next);
                     if self.entered.insert(arena.to(next)) {

@@ -22,6 +22,7 @@ mod bounds;
 mod decide;
 mod grazing;
 mod grid;
+mod objects;
 mod obstacle;
 mod part;
 mod propose;
@@ -33,6 +34,7 @@ mod sources;
 mod tree;
 
 pub use grazing::classify_grazing;
+pub use objects::{ObjectSight, assemble_objects, bound_objects, compute_objects, object_sights};
 pub use obstacle::{Hindrance, Obstacle};
 pub use part::{Part, PartError, PartHeader};
 pub use run::{Explanation, Finished, Options, Shard, compute, explain};

@@ -156,7 +156,7 @@ pub fn compute(
         .step_by(count as usize)
         .filter(|source| !is_done.has(source.cell))
         .collect();
-    let rows = search(&arena, bounds, &todo, options, keep, progress);
+    let rows = search(&arena, &SharedBounds::new(bounds), &todo, options, keep, progress);
     finished.is_complete = rows.len() == todo.len();
     finished.rows.extend(rows);
     finished.rows.sort_unstable_by_key(|row| row.source);
@@ -164,15 +164,15 @@ pub fn compute(
     finished
 }
 
-fn search(
+/// The rows of the sources that were finished before an interrupt.
+pub(super) fn search(
     arena: &Arena,
-    bounds: Bounds,
+    shared: &SharedBounds,
     todo: &[&Source],
     options: &Options,
     keep: &(dyn Fn(&Row) + Sync),
     progress: &dyn Progress,
 ) -> Vec<Row> {
-    let shared = SharedBounds::new(bounds);
     let stopped = AtomicBool::new(false);
     let is_interrupted = || {
         let stop = stopped.load(Relaxed) || progress.is_interrupted();
@@ -186,7 +186,7 @@ fn search(
     let next = AtomicUsize::new(0);
     // Each thread keeps one search, and what it has learnt, from source to source.
     let of_threads = rayon::broadcast(|_| {
-        let mut search = Search::new(arena, &shared, &limits);
+        let mut search = Search::new(arena, shared, &limits);
         let mut rows = Vec::new();
         while let Some(source) = todo.get(next.fetch_add(1, Relaxed)) {
             let Some(row) = search.row(source.cell, source.wanted.clone()) else { break };

@@ -198,7 +198,7 @@ impl<'a> Search<'a> {
 
     fn visit_children(&mut self, next: Directed) {
         let arena = self.arena;
-        for &child in arena.leaving(arena.to(next)) {
+        for &child in arena.onward(arena.to(next)) {
             let level = &self.levels[self.path.len() - 1];
             if level.might.has(child) && !self.crossed.has(arena.to(child)) {
                 self.visit(child);

@@ -133,7 +133,7 @@ pub struct EyeObject {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(rename = "Ratio")]
-pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] String);
+pub struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] pub(super) String);
 
 /// An integer: as a string where it does not fit in 53 bits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -146,9 +146,22 @@ pub enum Integer {
     Large(#[schemars(regex(pattern = "^-?[0-9]+$"))] String),
 }
 
+impl Ratio {
+    /// The number 1.
+    pub(super) fn one() -> Ratio {
+        Ratio("1".to_owned())
+    }
+}
+
 impl From<&Rational> for Ratio {
     fn from(value: &Rational) -> Ratio {
         Ratio(value.to_string())
+    }
+}
+
+impl std::fmt::Display for Ratio {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
     }
 }
 
@@ -290,6 +303,7 @@ fn list(portals: &[u32]) -> String {
     portals.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
 }
 
-fn tuple([x, y, z]: &[Ratio; 3]) -> String {
+/// A point as canonical text shows it.
+pub(super) fn tuple([x, y, z]: &[Ratio; 3]) -> String {
     format!("({} {} {})", x.0, y.0, z.0)
 }

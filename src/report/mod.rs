@@ -1,17 +1,25 @@
 //! Results: their types, their canonical text, and the sink that searches report progress to.
 
+mod body;
+mod bsp;
 mod eye;
 mod matrix;
+mod motion;
+mod objects;
 mod progress;
 mod pvs;
 mod stab;
 mod transversals;
 
+pub use body::{BodyReport, BodyTreeReport, body_text};
+pub use bsp::{BspChecked, BspReport, BspStage, CellShape, CellsReport, PortalPolygon};
 pub use eye::{
     EyeCell, EyeFrustum, EyeObject, EyeRegion, EyeReport, EyeSpace, EyeSpaceRegion,
     Integer as EyeInteger, Ratio as EyeRatio,
 };
 pub use matrix::{Counts, Matrix, Verdict};
+pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
+pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError};
 pub use stab::StabReport;

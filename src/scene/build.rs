@@ -202,7 +202,7 @@ fn rational_corners(portals: &[RawPortal]) -> Vec<RationalPoint3> {
 }
 
 /// Shapes a polygon on the grid of its own denominators.
-fn shape_alone(
+pub(super) fn shape_alone(
     vertices: &[RationalPoint3],
     corners: Vec<u32>,
     repairs: &mut Repairs,

@@ -1,8 +1,11 @@
 //! Any file that holds a portal graph, told apart by its first bytes.
 
+use super::world::StatementError;
 use super::{PortalGraph, RawGraph, RawPortal, SceneError};
-use crate::formats::json::{SceneFile, SceneFileError};
+use crate::formats::gltf::GltfError;
+use crate::formats::json::{SceneFile, SceneFileError, SceneKind};
 use crate::formats::map::MapError;
+use crate::formats::obj::ObjError;
 use crate::formats::prt::{self, PrtError, PrtFile};
 use rustc_hash::FxHashMap;
 
@@ -20,7 +23,7 @@ pub struct InputError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InputErrorKind {
     /// A file of 0 bytes.
-    #[error("the file is empty, expected a portal file or a JSON scene")]
+    #[error("the file is empty")]
     Empty,
     /// Not a portal file.
     #[error("{}", .0.kind)]
@@ -28,6 +31,21 @@ pub enum InputErrorKind {
     /// Not a level's source.
     #[error("{}", .0.kind)]
     Map(MapError),
+    /// Not a `.obj`.
+    #[error("{}", .0.kind)]
+    Obj(ObjError),
+    /// Not a glTF file.
+    #[error("{0}")]
+    Gltf(GltfError),
+    /// Geometry that breaks a rule.
+    #[error("{0}")]
+    Statement(Box<StatementError>),
+    /// A portal graph where geometry is asked for.
+    #[error("the file states no geometry, but cells and portals or nothing known")]
+    NoGeometry,
+    /// Geometry where a portal graph is asked for.
+    #[error("the scene states geometry, but cells and portals are asked for")]
+    NoGraph,
     /// Not a JSON scene.
     #[error("{}", .0.without_line())]
     Json(SceneFileError),
@@ -63,7 +81,12 @@ impl InputError {
             InputErrorKind::Prt(error) => Some(error.line),
             InputErrorKind::Map(error) => Some(error.line),
             InputErrorKind::Json(error) => Some(error.line),
+            InputErrorKind::Obj(error) => Some(error.line),
+            InputErrorKind::Statement(error) => error.line,
             InputErrorKind::Empty
+            | InputErrorKind::Gltf(_)
+            | InputErrorKind::NoGeometry
+            | InputErrorKind::NoGraph
             | InputErrorKind::CellTwice { .. }
             | InputErrorKind::UnknownCell { .. } => None,
             InputErrorKind::Scene(error) => error.line,
@@ -81,7 +104,11 @@ pub fn read_graph(name: &str, bytes: &[u8]) -> Result<PortalGraph, InputError> {
         return Err(error(InputErrorKind::Empty));
     }
     let raw = if bytes.trim_ascii_start().first() == Some(&b'{') {
-        let file = SceneFile::read(bytes).map_err(|e| error(InputErrorKind::Json(e)))?;
+        let json = |e| error(InputErrorKind::Json(e));
+        if SceneKind::of(bytes).map_err(json)? == SceneKind::Geometry {
+            return Err(error(InputErrorKind::NoGraph));
+        }
+        let file = SceneFile::read(bytes).map_err(json)?;
         named_cells(file).map_err(error)?
     } else {
         RawGraph::from(prt::read(bytes).map_err(|e| error(InputErrorKind::Prt(e)))?)

@@ -13,7 +13,7 @@
 //! factor, the normal pointing out of the brush.
 
 mod conventions;
-mod solid;
+pub(super) mod solid;
 mod warning;
 
 use super::input::{InputError, InputErrorKind};
@@ -21,7 +21,7 @@ use crate::formats::map::{self, MapEntity, MapFile};
 use crate::geom::{BigPlane, RationalPoint3};
 use crate::num::{Int, Number, Rational, parse_decimal};
 use num_integer::Integer;
-use num_traits::One;
+use num_traits::{One, Zero};
 use std::borrow::Cow;
 
 pub use warning::{LevelWarning, LevelWarningKind, NoSolid};
@@ -103,15 +103,18 @@ pub struct LevelOptions {
     /// is taken for the multiple of 10^-6 next to it: editors write -281.59999999999997 for -281.6,
     /// and levels with such walls have cracks that nobody made.
     pub keep_digits: bool,
+    /// Faces' points are rounded to this many decimals instead.
+    pub snap: Option<u32>,
 }
 
 impl Level {
     /// The level that a `.map` states.
     pub fn from_map(file: &MapFile, options: LevelOptions) -> Level {
         let mut level = Level { brushes: Vec::new(), entities: Vec::new(), warnings: Vec::new() };
-        let file = match options.keep_digits {
-            true => Cow::Borrowed(file),
-            false => level.rounded(file),
+        let file = match (options.snap, options.keep_digits) {
+            (Some(decimals), _) => level.rounded(file, decimals),
+            (None, false) => level.rounded(file, USUAL_DECIMALS),
+            (None, true) => Cow::Borrowed(file),
         };
         for (index, entity) in file.entities.iter().enumerate() {
             level.add_entity(index, entity, options);
@@ -119,8 +122,10 @@ impl Level {
         level
     }
 
-    /// The file without digits beyond the sixth decimal, with a warning if there were any.
-    fn rounded<'f>(&mut self, file: &'f MapFile) -> Cow<'f, MapFile> {
+    /// The file without digits beyond the given decimal, with a warning if there were any.
+    fn rounded<'f>(&mut self, file: &'f MapFile, decimals: u32) -> Cow<'f, MapFile> {
+        let per_unit = Int::from(10).pow(decimals);
+        let is_short = |number: &Number| is_multiple(number, &per_unit);
         let faces = file.entities.iter().flat_map(|e| &e.brushes).flat_map(|b| &b.faces);
         if faces.flat_map(|face| face.points.as_flattened()).all(is_short) {
             return Cow::Borrowed(file);
@@ -132,7 +137,7 @@ impl Level {
             for face in entity.brushes.iter_mut().flat_map(|brush| &mut brush.faces) {
                 let long = face.points.as_flattened_mut().iter_mut().filter(|c| !is_short(c));
                 for coordinate in long {
-                    let (near, moved) = coordinate.rounded(&Int::from(PER_UNIT));
+                    let (near, moved) = coordinate.rounded(&per_unit);
                     *coordinate = Number::from(near);
                     largest = largest.max(moved);
                     count += 1;
@@ -142,7 +147,7 @@ impl Level {
         }
         if let Some((entity, line)) = first {
             let class = file.entities[entity].value("classname").unwrap_or_default().to_owned();
-            let kind = LevelWarningKind::Rounded { count, largest };
+            let kind = LevelWarningKind::Rounded { decimals, count, largest };
             self.warnings.push(LevelWarning { line, entity, class, brush: None, kind });
         }
         Cow::Owned(file)
@@ -192,14 +197,14 @@ impl Level {
     }
 }
 
-/// Six decimals.
-const PER_UNIT: i64 = 1_000_000;
+/// More come from computations of level editors.
+const USUAL_DECIMALS: u32 = 6;
 
-/// Whether six decimals hold the number exactly.
-fn is_short(number: &Number) -> bool {
+/// Whether the number is a multiple of 1 / `per_unit`.
+fn is_multiple(number: &Number, per_unit: &Int) -> bool {
     match number {
-        Number::Small(_, denominator) => PER_UNIT % denominator == 0,
-        Number::Big(ratio) => Int::from(PER_UNIT).is_multiple_of(ratio.denom()),
+        Number::Small(_, denominator) => (per_unit % denominator).is_zero(),
+        Number::Big(ratio) => per_unit.is_multiple_of(ratio.denom()),
     }
 }
 

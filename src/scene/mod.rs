@@ -3,12 +3,13 @@
 //! [`read_graph`] makes a validated [`PortalGraph`] of a file's bytes; past it there are no errors
 //! of input. [`CellOrder`] tells which pairs of portals need the order of crossing as a condition
 //! of its own. [`read_level`] makes the solids of a [`Level`] of a level's source; a [`World`] is
-//! what any such input puts into space.
+//! what any input of geometry puts into space, and [`read_world`] reads it.
 
 mod build;
 mod graph;
 mod input;
 pub mod level;
+mod objects;
 mod order;
 mod polygon;
 #[cfg(test)]
@@ -19,5 +20,6 @@ pub use build::{RawGraph, RawPortal, SceneError, SceneErrorKind};
 pub use graph::{CellId, Portal, PortalGraph, PortalId, Repairs, SmallGrid};
 pub use input::{InputError, InputErrorKind, read_graph};
 pub use level::{Level, LevelOptions, read_level};
+pub use objects::ObjectGraph;
 pub use order::CellOrder;
-pub use world::World;
+pub use world::{World, WorldOptions, read_world};

@@ -9,6 +9,19 @@ use crate::construct::{Limits, PlaneSet, Polygon};
 use crate::geom::{AxialBox, BigPlane, RationalPoint3};
 use std::collections::BTreeMap;
 
+mod geometry;
+mod polygons;
+mod read;
+mod snap;
+mod soup;
+#[cfg(test)]
+mod tests;
+mod warning;
+
+pub use geometry::{StatementError, StatementErrorKind};
+pub use read::{InputKind, WorldOptions, read_world, read_world_with};
+pub use warning::{Repair, WorldWarning};
+
 /// What stands in space.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct World {

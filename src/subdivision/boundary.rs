@@ -1,50 +1,66 @@
-//! The boundary of the union of solids, as polygons that face out of it.
+//! What occludes: the boundary of the union of solids, as polygons that face out of it, and what
+//! of the thin polygons is outside of all solids.
 //!
 //! Each face of a solid loses what lies inside another one. Where faces of two solids coincide,
 //! one of them goes: facing the same way, that of the later solid; facing each other, both, as the
-//! union (regularised: the closure of its interior) has no boundary between the two.
+//! union (regularised: the closure of its interior) has no boundary between the two. A thin
+//! polygon loses what lies in a closed solid, whose faces occlude there anyway.
 //!
 //! A face is cut by a solid's planes one after the other, what is outside of one is kept, and
 //! what is left at the end was inside; if nothing is left, the face stays whole.
 
-use crate::construct::{Boxed, PlaneSet, Polygon, Polyhedron, Split};
+use super::prepare::Body;
+use super::touching::Boxes;
+use super::{DivisionError, Face, Source};
+use crate::construct::{Bounds, IntegerBox, PlaneId, PlaneSet, Polygon, Polyhedron, Split};
+use crate::report::Progress;
 
-/// The polygons of the boundary of the union of `bodies`.
-pub(super) fn of_union(planes: &PlaneSet, bodies: &[Boxed]) -> Vec<Polygon> {
-    let neighbours = neighbours(bodies);
+/// The boundary of the union of `bodies` inside the box, and of `sheets` what is outside of it.
+pub(super) fn of_occluders(
+    planes: &PlaneSet,
+    bounds: &Bounds,
+    bodies: &[Body],
+    sheets: Vec<Face>,
+    progress: &dyn Progress,
+) -> Result<Vec<Face>, DivisionError> {
+    progress.begin("faces", (bodies.len() + sheets.len()) as u64);
+    let boxes = Boxes::new(bodies.iter().map(|body| &body.around));
+    let ends: [PlaneId; 6] = bounds.planes();
     let mut boundary = Vec::new();
     for (own, body) in bodies.iter().enumerate() {
-        for face in body.solid.faces() {
+        if progress.is_interrupted() {
+            return Err(DivisionError::Interrupted);
+        }
+        let neighbours = boxes.touching(&body.around);
+        let source = Source::Solid(body.index);
+        // The box ends a solid that reaches past it, but is no wall.
+        for face in body.solid.faces().iter().filter(|face| !ends.contains(&face.support())) {
             let mut pieces = vec![face.clone()];
-            for &other in &neighbours[own] {
-                let solid = &bodies[other].solid;
-                pieces = subtract(planes, pieces, solid, own < other);
-                if pieces.is_empty() {
-                    break;
-                }
+            for &other in neighbours.iter().filter(|&&other| other != own) {
+                pieces = subtract(planes, pieces, &bodies[other].solid, own < other);
             }
-            boundary.append(&mut pieces);
+            boundary.extend(pieces.into_iter().map(|polygon| Face {
+                polygon,
+                source,
+                thin: false,
+            }));
         }
+        progress.advance(1);
     }
-    boundary
-}
-
-/// For each body those whose boxes its own touches, in order.
-fn neighbours(bodies: &[Boxed]) -> Vec<Vec<usize>> {
-    let mut order: Vec<usize> = (0..bodies.len()).collect();
-    order.sort_by(|&a, &b| bodies[a].low[0].cmp(&bodies[b].low[0]));
-    let mut neighbours = vec![Vec::new(); bodies.len()];
-    for (position, &a) in order.iter().enumerate() {
-        let later = order[position + 1..].iter();
-        for &b in later.take_while(|&&b| bodies[b].low[0] <= bodies[a].high[0]) {
-            if bodies[a].may_touch(&bodies[b]) {
-                neighbours[a].push(b);
-                neighbours[b].push(a);
-            }
+    for sheet in sheets {
+        if progress.is_interrupted() {
+            return Err(DivisionError::Interrupted);
         }
+        let around = IntegerBox::around(&sheet.polygon.points()).expect("it has vertices");
+        let mut pieces = vec![sheet.polygon];
+        for other in boxes.touching(&around) {
+            pieces = subtract(planes, pieces, &bodies[other].solid, false);
+        }
+        let face = |polygon| Face { polygon, source: sheet.source, thin: true };
+        boundary.extend(pieces.into_iter().map(face));
+        progress.advance(1);
     }
-    neighbours.iter_mut().for_each(|list| list.sort_unstable());
-    neighbours
+    Ok(boundary)
 }
 
 /// What of the polygons is outside of a solid; of coincident faces that look the same way the

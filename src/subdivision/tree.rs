@@ -1,12 +1,17 @@
 //! The tree: cells split by planes of the faces in them until none is left.
 //!
-//! Faces are the boundary of the solids, so a cell without faces inside is uniform. It is the
-//! child of a node whose plane holds at least one face, and reaches all of the plane's section:
-//! the cell is outside if that face looks into it, and inside otherwise. No point is ever
-//! classified.
+//! Faces are the boundary of the solids, and thin polygons outside of the solids. A cell without
+//! faces of solids inside is uniform, and it is the child of a node whose plane holds at least
+//! one face, of a solid or thin, that reaches it. Near a thin polygon both sides are empty; near a
+//! solid's face the side it looks to is empty and the other one solid. So the faces on the last
+//! plane tell the kind of a leaf, and no point is ever classified.
 
-use super::{Child, Hint, Leaf, LeafId, Node, Options, choose};
+use super::{Child, DivisionError, Face, Leaf, LeafId, Node, Options, choose};
 use crate::construct::{Bounds, PlaneId, PlaneSet, Polygon, Polyhedron, Split};
+use crate::report::Progress;
+
+/// Progress is told in these: the whole box; each part has its share by its faces.
+const WHOLE: u64 = 1 << 20;
 
 pub(super) struct Tree {
     pub nodes: Vec<Node>,
@@ -14,47 +19,66 @@ pub(super) struct Tree {
     pub root: Child,
 }
 
+/// What there is to divide a box by.
+pub(super) struct Input {
+    /// What occludes.
+    pub faces: Vec<Face>,
+    /// What splits empty cells afterwards.
+    pub hints: Vec<Face>,
+    /// Whether the box is solid if there are no faces.
+    pub solid: bool,
+}
+
 /// A cell yet to be split.
 struct Work {
     cell: Polyhedron,
-    faces: Vec<Polygon>,
-    hints: Vec<Hint>,
+    faces: Vec<Face>,
+    hints: Vec<Face>,
     /// Whether the cell is solid if it has no faces.
     solid: bool,
+    /// Whether the round of obscuration still goes on.
+    obscuration: bool,
     /// The node whose child it is, and whether on the positive side.
     parent: Option<(u32, bool)>,
+    /// Its share of the work.
+    share: u64,
 }
 
-/// Splits the box, which is solid or empty as `solid` says where there are no faces at all.
+/// Splits the box.
 pub(super) fn build(
     planes: &PlaneSet,
     bounds: &Bounds,
-    faces: Vec<Polygon>,
-    hints: Vec<Hint>,
-    solid: bool,
+    Input { faces, hints, solid }: Input,
     options: &Options,
-) -> Tree {
+    progress: &dyn Progress,
+) -> Result<Tree, DivisionError> {
+    progress.begin("tree", WHOLE);
     let (mut nodes, mut leaves): (Vec<Node>, Vec<Leaf>) = (Vec::new(), Vec::new());
     // Overwritten once the first cell is known to be a node or a leaf.
     let mut root = Child::Leaf(LeafId(0));
-    let cell = bounds.polyhedron(planes);
+    let (cell, obscuration) = (bounds.polyhedron(planes), options.obscuration.is_some());
     // A stack and not recursion: a bad input may make a deep tree.
-    let mut stack = vec![Work { cell, faces, hints, solid, parent: None }];
-    while let Some(work) = stack.pop() {
+    let mut stack =
+        vec![Work { cell, faces, hints, solid, obscuration, parent: None, share: WHOLE }];
+    while let Some(mut work) = stack.pop() {
+        if progress.is_interrupted() {
+            return Err(DivisionError::Interrupted);
+        }
         let parent = work.parent;
-        let child = match splitting_plane(planes, &work, options) {
+        let child = match splitting_plane(planes, bounds, &mut work, options) {
             None => {
+                progress.advance(work.share);
                 leaves.push(Leaf { solid: work.solid, cell: work.cell });
                 Child::Leaf(LeafId(leaves.len() as u32 - 1))
             }
             Some(plane) => {
                 let index = nodes.len() as u32;
                 let section = work.cell.section(planes, bounds, plane);
-                let [front, back] = halves(planes, work, &section, index);
+                let ([front, back], faces) = halves(planes, work, &section, index);
                 stack.push(back);
                 stack.push(front);
                 let unknown = Child::Leaf(LeafId(u32::MAX));
-                nodes.push(Node { section, front: unknown, back: unknown });
+                nodes.push(Node { section, faces, front: unknown, back: unknown });
                 Child::Node(index)
             }
         };
@@ -64,73 +88,88 @@ pub(super) fn build(
             Some((parent, false)) => nodes[parent as usize].back = child,
         }
     }
-    Tree { nodes, leaves, root }
+    Ok(Tree { nodes, leaves, root })
 }
 
 /// The plane to split a cell by, or `None` for a leaf.
-fn splitting_plane(planes: &PlaneSet, work: &Work, options: &Options) -> Option<PlaneId> {
-    if !work.faces.is_empty() {
-        Some(choose::plane(planes, &work.faces, options))
-    } else if !work.solid && !work.hints.is_empty() {
-        Some(choose::plane(planes, &work.hints, options))
-    } else {
-        None
+fn splitting_plane(
+    planes: &PlaneSet,
+    bounds: &Bounds,
+    work: &mut Work,
+    options: &Options,
+) -> Option<PlaneId> {
+    if work.faces.is_empty() {
+        let split = !work.solid && !work.hints.is_empty();
+        return split.then(|| choose::by_score(planes, &work.hints, options));
     }
+    if let (true, Some(least)) = (work.obscuration, &options.obscuration) {
+        let (cell, samples) = (&work.cell, options.samples);
+        let found = choose::by_obscuration(planes, bounds, cell, &work.faces, least, samples);
+        if found.is_some() {
+            return found;
+        }
+        work.obscuration = false;
+    }
+    Some(choose::by_score(planes, &work.faces, options))
 }
 
-/// The two parts of a cell.
-fn halves(planes: &PlaneSet, work: Work, section: &Polygon, index: u32) -> [Work; 2] {
+/// The two parts of a cell, and the occluding faces in the plane between them.
+fn halves(planes: &PlaneSet, work: Work, section: &Polygon, index: u32) -> ([Work; 2], Vec<Face>) {
     let plane = section.support();
-    let sides = distribute(planes, work.faces, plane);
-    let hints = distribute(planes, work.hints, plane);
-    // A face looks out of the solid behind it. Without a face in the plane both parts are as the
-    // whole, which then has no faces at all.
-    let looks_front = |face: &Polygon| face.support() == plane;
-    let (solid_front, solid_back) = match sides.on.first().map(looks_front) {
-        None => (work.solid, work.solid),
-        Some(front) => (!front, front),
+    let [faces_front, faces_back, on] = distribute(planes, work.faces, plane);
+    let [hints_front, hints_back, _] = distribute(planes, work.hints, plane);
+    // Which sides of the plane are solid next to a face. Without a face in the plane both parts
+    // are as the whole, which then has no faces at all.
+    let kinds = |face: &Face| {
+        let looks_front = face.polygon.support() == plane;
+        (!face.thin && !looks_front, !face.thin && looks_front)
     };
-    let agree = || sides.on.windows(2).all(|pair| looks_front(&pair[0]) == looks_front(&pair[1]));
-    let mixed = !sides.front.is_empty() && !sides.back.is_empty();
-    debug_assert!(mixed || agree(), "a cell without faces has both kinds of points");
+    let (solid_front, solid_back) = on.first().map_or((work.solid, work.solid), kinds);
+    let uniform = |faces: &[Face], solid: bool, side: fn((bool, bool)) -> bool| {
+        !faces.iter().all(|face| face.thin) || on.iter().all(|face| side(kinds(face)) == solid)
+    };
+    debug_assert!(
+        uniform(&faces_front, solid_front, |kinds| kinds.0)
+            && uniform(&faces_back, solid_back, |kinds| kinds.1),
+        "a cell without faces of solids has both kinds of points"
+    );
+    let total = (faces_front.len() + faces_back.len()).max(1) as u64;
+    let share = work.share * faces_front.len() as u64 / total;
     let [front, back] = work.cell.split(planes, section);
-    [
-        Work {
-            cell: front,
-            faces: sides.front,
-            hints: hints.front,
-            solid: solid_front,
-            parent: Some((index, true)),
-        },
-        Work {
-            cell: back,
-            faces: sides.back,
-            hints: hints.back,
-            solid: solid_back,
-            parent: Some((index, false)),
-        },
-    ]
+    let front = Work {
+        cell: front,
+        faces: faces_front,
+        hints: hints_front,
+        solid: solid_front,
+        obscuration: work.obscuration,
+        parent: Some((index, true)),
+        share,
+    };
+    let back = Work {
+        cell: back,
+        faces: faces_back,
+        hints: hints_back,
+        solid: solid_back,
+        obscuration: work.obscuration,
+        parent: Some((index, false)),
+        share: work.share - share,
+    };
+    ([front, back], on)
 }
 
-/// Polygons by their side of a plane.
-struct Sides {
-    front: Vec<Polygon>,
-    back: Vec<Polygon>,
-    on: Vec<Polygon>,
-}
-
-fn distribute(planes: &PlaneSet, polygons: Vec<Polygon>, plane: PlaneId) -> Sides {
-    let mut sides = Sides { front: Vec::new(), back: Vec::new(), on: Vec::new() };
-    for polygon in polygons {
-        match polygon.split(planes, plane) {
-            Split::Front => sides.front.push(polygon),
-            Split::Back => sides.back.push(polygon),
-            Split::On => sides.on.push(polygon),
-            Split::Both(front, back) => {
-                sides.front.push(front);
-                sides.back.push(back);
+/// Faces by their side of a plane: in front, behind, in it.
+fn distribute(planes: &PlaneSet, faces: Vec<Face>, plane: PlaneId) -> [Vec<Face>; 3] {
+    let [mut front, mut back, mut on] = [Vec::new(), Vec::new(), Vec::new()];
+    for face in faces {
+        match face.polygon.split(planes, plane) {
+            Split::Front => front.push(face),
+            Split::Back => back.push(face),
+            Split::On => on.push(face),
+            Split::Both(positive, negative) => {
+                front.push(Face { polygon: positive, ..face });
+                back.push(Face { polygon: negative, ..face });
             }
         }
     }
-    sides
+    [front, back, on]
 }

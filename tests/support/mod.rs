@@ -1,8 +1,11 @@
 //! Running the command, and small inputs for it.
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
+pub mod boxes;
 pub mod graphs;
+pub mod obstacles;
 pub mod witness;
+pub mod worlds;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

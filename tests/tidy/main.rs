@@ -74,8 +74,8 @@ fn scenes_and_snapshots_are_used() {
         .filter(|path| !path.starts_with("tests/tidy/"))
         .map(|path| read(&path))
         .collect();
-    let mut scenes = files("scenes", ".json");
-    scenes.extend(files("scenes", ".map"));
+    let of_format = |ending: &&str| files("scenes", &format!(".{ending}"));
+    let scenes: Vec<String> = papers::SCENE_ENDINGS.iter().flat_map(of_format).collect();
     assert!(!scenes.is_empty());
     assert_tidy(
         scenes.iter().flat_map(|path| papers::scene(path, &read(path), &programs)).collect(),

@@ -35,15 +35,18 @@ fn normal(path: &Path) -> String {
     parts.join("/")
 }
 
+/// The formats of scenes.
+pub const SCENE_ENDINGS: &[&str] = &["json", "map", "obj", "glb"];
+
 /// Snapshots without their scene, and snapshots that wait for a review.
 pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> Vec<String> {
     let mut wrong = Vec::new();
     for path in snapshots {
         let scene = PathBuf::from(path.replacen("snapshots/", "scenes/", 1));
-        let of = |ending| normal(&scene.with_extension(ending));
+        let of = |ending: &str| normal(&scene.with_extension(ending));
         if path.ends_with(".new") {
             wrong.push(format!("{path}: review it (`cargo insta review`)"));
-        } else if !exists(&of("json")) && !exists(&of("map")) {
+        } else if !SCENE_ENDINGS.iter().any(|ending| exists(&of(ending))) {
             wrong.push(format!("{path}: {} is gone", of("json")));
         }
     }
@@ -54,17 +57,21 @@ pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> 
 pub fn scene(path: &str, text: &str, programs: &[String]) -> Vec<String> {
     let mut wrong = Vec::new();
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
-    let is_map = name.ends_with(".map");
-    let stem = name.trim_end_matches(".json").trim_end_matches(".map");
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let fine = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "_-".contains(c);
     if !stem.chars().all(fine) || !stem.contains('_') {
         wrong.push(format!("{path}: expected a name <subject>_<situation>[_<degeneracy>].json"));
     }
     let first = text.trim_start().strip_prefix('{').unwrap_or_default().trim_start();
-    if is_map && !text.starts_with("// ") {
-        wrong.push(format!("{path}: it does not open with a comment"));
-    } else if !is_map && !first.starts_with("\"about\": \"") {
-        wrong.push(format!("{path}: its first field is not `about`"));
+    let opening = match ending {
+        "map" if !text.starts_with("// ") => "does not open with a comment",
+        "obj" if !text.starts_with("# ") => "does not open with a comment",
+        "json" if !first.starts_with("\"about\": \"") => "does not open with the field `about`",
+        // Bytes hold no comment; the test that reads them does.
+        _ => "",
+    };
+    if !opening.is_empty() {
+        wrong.push(format!("{path}: it {opening}"));
     }
     let whole_folder = format!("\"{folder}\"");
     let reads = |program: &String| program.contains(path) || program.contains(&whole_folder);

@@ -1,7 +1,7 @@
 //! What `stabline pvs` tells of a result and of how it came about.
 
 use crate::pvs::Finished;
-use crate::report::PvsReport;
+use crate::report::{ObjectsReport, PvsReport};
 use crate::scene::{CellOrder, PortalGraph};
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -31,6 +31,7 @@ impl Clock {
 pub(super) fn summary(
     graph: &PortalGraph,
     report: &PvsReport,
+    objects: Option<&ObjectsReport>,
     finished: &Finished,
     json: bool,
 ) -> String {
@@ -38,7 +39,7 @@ pub(super) fn summary(
     let order = CellOrder::new(graph);
     let cells = graph.cells.len() as u64;
     if json {
-        let value = serde_json::json!({
+        let mut value = serde_json::json!({
             "format": "stabline-pvs-summary/1",
             "input": {"name": report.input.name, "blake3": report.input.blake3},
             "cells": cells,
@@ -54,6 +55,9 @@ pub(super) fn summary(
             },
             "not_open_by_bound": 2 * finished.settled_by_bound,
         });
+        if let Some(objects) = objects {
+            value["objects"] = serde_json::json!(objects.counts());
+        }
         return format!("{value:#}\n");
     }
     let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
@@ -74,8 +78,9 @@ pub(super) fn summary(
         let (undecided, share) = (counts.undecided, percent(counts.undecided));
         text += &format!("undecided  {undecided:>10}  {share:5.1} %\n");
     }
-    text + "ordered pairs of cells, each cell with itself included; every open pair has an exact \
-            sightline\n"
+    text += "ordered pairs of cells, each cell with itself included; every open pair has an exact \
+             sightline\n";
+    text + &objects.map(super::objects::summary).unwrap_or_default()
 }
 
 /// Prints times, peak memory and how pairs were settled.

@@ -236,3 +236,93 @@ fn a_broken_rule_is_named_with_its_byte() {
     let other = write_visibility(&good, &BitMatrix::new(9)).unwrap_err();
     assert_eq!(other.kind, BspErrorKind::OtherLevel { expected: 10, got: 9 });
 }
+
+/// A level of three leafs with visibility, cut in two by x = 2, and the right half by y = -1/2.
+fn with_tree(magic: &[u8; 4]) -> Vec<u8> {
+    let (record, wide, node) = match magic {
+        b"BSP2" => (44, true, 44),
+        b"2PSB" => (32, true, 32),
+        _ => (28, false, 24),
+    };
+    let mut bytes = quake(magic, record, 3, &[7, 7, 7], &[0, 1, 2]);
+    let mut lump = |number: usize, data: &[u8]| {
+        let (entry, place) = (4 + 8 * number, bytes.len() as i32);
+        bytes[entry..entry + 4].copy_from_slice(&place.to_le_bytes());
+        bytes[entry + 4..entry + 8].copy_from_slice(&(data.len() as i32).to_le_bytes());
+        bytes.extend_from_slice(data);
+    };
+    let mut planes = Vec::new();
+    for numbers in [[0.0f32, 1.0, 0.0, -0.5], [1.0, 0.0, 0.0, 2.0]] {
+        numbers.iter().for_each(|number| planes.extend(number.to_le_bytes()));
+        planes.extend([0; 4]);
+    }
+    lump(1, &planes);
+    let mut nodes = Vec::new();
+    for [plane, front, back] in [[1, 1, -2], [0, -3, -4]] {
+        let start = nodes.len();
+        nodes.extend(i32::to_le_bytes(plane));
+        for child in [front, back] {
+            match wide {
+                true => nodes.extend(i32::to_le_bytes(child)),
+                false => nodes.extend(i16::to_le_bytes(child as i16)),
+            }
+        }
+        nodes.resize(start + node, 0);
+    }
+    lump(5, &nodes);
+    bytes
+}
+
+/// Where a lump begins.
+fn place_of(bytes: &[u8], lump: usize) -> usize {
+    layout::int(bytes, 4 + 8 * lump) as usize
+}
+
+#[test]
+fn trees_are_read() {
+    use crate::num::Int;
+    for (magic, _) in QUAKE_FORMATS {
+        let bytes = with_tree(magic);
+        let models = place_of(&bytes, 14);
+        assert_eq!(layout::int(&bytes, models + 36), 0);
+        let tree = LevelTree::read(&bytes).unwrap();
+        assert_eq!(tree.root, LevelChild::Node(0));
+        let [x, y] = &tree.nodes[..] else { panic!("two nodes") };
+        assert_eq!((x.front, x.back), (LevelChild::Node(1), LevelChild::Leaf(1)));
+        assert_eq!((y.front, y.back), (LevelChild::Leaf(2), LevelChild::Leaf(3)));
+        assert_eq!(x.plane.offset, Int::from(2));
+        assert_eq!(y.plane.normal, [0, 2, 0].map(Int::from));
+        assert_eq!(y.plane.offset, Int::from(-1));
+        // The solid outside, three leafs with visibility, and one of a moving part.
+        assert_eq!(tree.contents, [0x5555_5555; 5]);
+    }
+}
+
+#[test]
+fn broken_trees_are_refused() {
+    let bytes = with_tree(b"BSP2");
+    let (planes, nodes) = (place_of(&bytes, 1), place_of(&bytes, 5));
+    let error = |at: usize, value: i32| {
+        let mut bytes = bytes.clone();
+        bytes[at..at + 4].copy_from_slice(&value.to_le_bytes());
+        let error = LevelTree::read(&bytes).unwrap_err();
+        (error.offset, error.kind)
+    };
+    let nan = f32::NAN.to_bits().cast_signed();
+    assert_eq!(error(planes + 24, nan), (planes + 20, BspErrorKind::NotFinite));
+    let plane = |node, plane| BspErrorKind::NodePlane { node, plane };
+    assert_eq!(error(nodes, 2), (nodes, plane(0, 2)));
+    assert_eq!(error(nodes + 44, -1), (nodes + 44, plane(1, -1)));
+    let child = |child, first| BspErrorKind::NodeChild { child, first, nodes: 2 };
+    // A loop, a node too many, a leaf too many.
+    assert_eq!(error(nodes + 44 + 4, 1), (nodes + 48, child(1, 2)));
+    assert_eq!(error(nodes + 4, 2), (nodes + 4, child(2, 1)));
+    assert_eq!(error(nodes + 8, -6), (nodes + 8, child(-6, 1)));
+    assert_eq!(error(nodes + 8, i32::MIN).1, child(i32::MIN, 1));
+    let models = place_of(&bytes, 14);
+    assert_eq!(error(models + 36, 7), (models + 36, child(7, 0)));
+    assert!(matches!(error(4 + 8 * 5 + 4, 87).1, BspErrorKind::LumpLength { what: "nodes", .. }));
+    let quake2 = [&b"IBSP\x26\0\0\0"[..], &[0; 200]].concat();
+    let kind = LevelTree::read(&quake2).unwrap_err().kind;
+    assert_eq!(kind, BspErrorKind::NoTree(BspFormat::Quake2));
+}

@@ -12,11 +12,11 @@
 //! most lines are left by their first few planes.
 
 use super::{BrushFace, LevelWarningKind, NoSolid};
-use crate::formats::map::{MapBrush, MapFace};
+use crate::formats::map::MapBrush;
 use crate::geom::vector::{cross, dot};
 use crate::geom::{BigPlane, BigPoint3};
-use crate::num::{Int, Rational, Sign};
-use crate::predicates::vertex_side_of_plane_big;
+use crate::num::{Int, Number, Rational, Sign};
+use crate::predicates::{Vertex, VertexPlane, side_of_vertex};
 use num_integer::Integer;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
@@ -58,7 +58,7 @@ fn distinct_faces(
     let mut places: FxHashMap<BigPlane, usize> = FxHashMap::default();
     for (number, (face, &splits)) in brush.faces.iter().zip(splits).enumerate() {
         let line = face.line;
-        let Some(plane) = outward_plane(face) else {
+        let Some(plane) = outward_plane(&face.points) else {
             warn(line, LevelWarningKind::CollinearPoints { face: number });
             continue;
         };
@@ -74,10 +74,10 @@ fn distinct_faces(
     faces
 }
 
-/// The plane of a face with the least integer coefficients, its normal on the side from which the
-/// three points run clockwise; `None` where they are on one line.
-fn outward_plane(face: &MapFace) -> Option<BigPlane> {
-    let points = face.points.each_ref().map(|point| point.each_ref().map(|c| c.to_rational()));
+/// The plane of three points with the least integer coefficients, its normal on the side from which
+/// they run clockwise; `None` where they are on one line.
+pub(in crate::scene) fn outward_plane(points: &[[Number; 3]; 3]) -> Option<BigPlane> {
+    let points = points.each_ref().map(|point| point.each_ref().map(|c| c.to_rational()));
     let common = points.as_flattened().iter().fold(Int::one(), |common, c| common.lcm(c.denom()));
     let scale = |c: Rational| c.numer() * (&common / c.denom());
     let [a, b, c] = points.map(|point| BigPoint3 { coordinates: point.map(scale) });
@@ -95,7 +95,7 @@ fn outward_plane(face: &MapFace) -> Option<BigPlane> {
 /// Which of the half-spaces' planes hold a face of what they enclose.
 ///
 /// Requires: the planes are distinct, their coefficients without a common factor.
-fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
+pub(in crate::scene) fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
     if planes.len() < 4 {
         return Err(NoSolid::TooFewPlanes(planes.len()));
     }
@@ -103,6 +103,7 @@ fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
     let mut edges: Vec<Option<usize>> = vec![None; planes.len()];
     let mut holds_face = vec![false; planes.len()];
     let mut crossing = false;
+    let sides: Vec<VertexPlane> = planes.iter().map(|p| VertexPlane::new((*p).clone())).collect();
     for i in 0..planes.len() {
         for j in i + 1..planes.len() {
             let direction = cross(&planes[i].normal, &planes[j].normal);
@@ -110,7 +111,7 @@ fn bounding(planes: &[&BigPlane]) -> Result<Vec<bool>, NoSolid> {
                 continue;
             }
             crossing = true;
-            match interval(planes, [i, j], &direction) {
+            match interval(planes, &sides, [i, j], &direction) {
                 Interval::Point | Interval::Empty => {}
                 Interval::Endless => return Err(NoSolid::Open),
                 Interval::Edge => {
@@ -142,11 +143,18 @@ enum Interval {
 }
 
 /// What is left of the line of `planes[i]` and `planes[j]`, which runs in `direction`.
-fn interval(planes: &[&BigPlane], [i, j]: [usize; 2], direction: &[Int; 3]) -> Interval {
+fn interval(
+    planes: &[&BigPlane],
+    sides: &[VertexPlane],
+    [i, j]: [usize; 2],
+    direction: &[Int; 3],
+) -> Interval {
     let (mut low, mut high): (Option<usize>, Option<usize>) = (None, None);
     let side = |end: usize, k: usize| {
-        let side = vertex_side_of_plane_big([planes[i], planes[j], planes[end]], planes[k]);
-        side.unwrap_or_else(|| unreachable!("an end is where a plane crosses the line"))
+        let vertex = Vertex::meet([&sides[i], &sides[j], &sides[end]]);
+        let vertex =
+            vertex.unwrap_or_else(|| unreachable!("an end is where a plane crosses the line"));
+        side_of_vertex(&sides[k], &vertex)
     };
     let mut parallel = Vec::new();
     for k in (0..planes.len()).filter(|&k| k != i && k != j) {

@@ -37,12 +37,14 @@ pub enum LevelWarningKind {
     /// An entity without a class.
     #[error("no `classname`; the entity is a detail object")]
     NoClass,
-    /// Coordinates of faces with more than six decimals; this is the first such face.
+    /// Coordinates of faces with too many decimals; this is the first such face.
     #[error(
-        "{count} coordinates of faces, from here on, have more than six decimals; each is rounded \
-         to six, by {largest} at most"
+        "{count} coordinates of faces, from here on, have more than {decimals} decimals; each is \
+         rounded to these, by {largest} at most"
     )]
     Rounded {
+        /// How many are kept.
+        decimals: u32,
         /// How many.
         count: usize,
         /// The largest displacement.
