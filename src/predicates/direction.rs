@@ -21,7 +21,9 @@
 //!
 //! Integers below 2^53 whose products and sums stay below 2^53 are computed without any error:
 //! the bound is then 0, and a zero is a proved zero. Invariant: a bound of 0 stands beside
-//! integers only. Overflow makes a value or a bound infinite or no number, and no sign is given.
+//! integers only. Vectors of more than 128 bits are scaled down before they become floats, so that
+//! nothing overflows; if it did, a value or a bound would be infinite or no number, and no sign
+//! given.
 
 use crate::num::{Int, Sign};
 use num_traits::ToPrimitive;
@@ -37,6 +39,11 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// 1 + 2^-40: more than what rounding takes from a bound.
 const SLACK: f64 = 1.0 + 1.0 / 1_099_511_627_776.0;
 
+/// Longer vectors are scaled down to this many bits, which keeps their direction: the normals of
+/// given ones are then below 2^257, meets of these below 2^515, their inner products below 2^776,
+/// and nothing overflows.
+const LONGEST: u64 = 128;
+
 /// A vector in floats, and how far each coordinate may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatVector {
@@ -46,11 +53,19 @@ pub struct FloatVector {
 }
 
 impl FloatVector {
-    /// The vector nearest to an integer vector.
+    /// The vector nearest to an integer vector, or to its part by the power of two that leaves
+    /// [`LONGEST`] bits.
     pub fn nearest(exact: &[Int; 3]) -> FloatVector {
-        let coordinates = exact.each_ref().map(|c| c.to_f64().unwrap_or(f64::INFINITY));
+        let bits = exact.iter().map(Int::bits).max().unwrap_or(0);
+        let excess = bits.saturating_sub(LONGEST);
+        let float = |c: &Int| c.to_f64().unwrap_or(f64::INFINITY);
+        let coordinates = match excess {
+            0 => exact.each_ref().map(float),
+            _ => exact.each_ref().map(|c| float(&(c >> excess))),
+        };
         let size = largest(&coordinates);
-        // Conversion rounds to nearest, within u; twice that costs nothing.
+        // Conversion rounds to nearest, within u, and what was shifted out is below 2^-125 of the
+        // size: twice u covers both.
         let error = if size < EXACT { 0.0 } else { 2.0 * U * size * SLACK };
         FloatVector { coordinates, error }
     }
@@ -194,6 +209,19 @@ mod tests {
         let along = Direction::new([1, 1, 0].map(Int::from));
         assert_eq!(side_of_direction_filter(&normal, &along), None);
         assert_eq!(side_of_direction(&normal, &along), Sign::Positive);
+    }
+
+    #[test]
+    fn the_length_of_a_vector_does_not_matter_to_the_floats() {
+        let long = |v: [i64; 3]| Rc::new(Direction::new(v.map(|c| (Int::from(c) << 3000) + 1)));
+        let [a, b, c, d] = [[3, 1, 4], [1, 5, 9], [2, 6, 5], [-3, 5, 8]].map(long);
+        let planes = [(&a, &b), (&c, &d)].map(|(p, q)| Rc::new(Direction::cross(p, q)));
+        let ray = Direction::cross(&planes[0], &planes[1]);
+        for (n, v) in [(&*planes[0], &*c), (&planes[1], &a), (&ray, &a), (&ray, &planes[0])] {
+            let sign = side_of_direction_big(n, v);
+            let expected = (sign != Sign::Zero).then_some(sign);
+            assert_eq!(side_of_direction_filter(n, v), expected);
+        }
     }
 
     proptest! {
