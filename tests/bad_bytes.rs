@@ -19,7 +19,7 @@ const GEOMETRY: &str = r#"{"about": "a", "format": "stabline-scene/1", "grid": 4
 "view": [[0,0,0],[8,8,4]], "polygons": [{"name": "p", "polygon": [[5,0,0],[5,5,0],[5,5,3],[6,0,3]]}],
 "brushes": [{"box": [[2,2,0],[3,3,4]]}, {"points": [[0,6,0],[4,6,0],[0,8,0],[0,6,"3/2"],[1,6.5,0]]},
 {"planes": [{"normal": [0,0,-1], "offset": 0}, {"normal": [-1,0,0], "offset": -6},
-{"points": [[6,0,0],[6,0,1],[7,0,0]]}, {"normal": [1,1,1], "offset": 17}]}],
+{"points": [[6,0,0],[7,0,0],[6,0,1]]}, {"normal": [1,1,1], "offset": 17}]}],
 "objects": [{"name": "o", "box": [[6,6,0],[7,7,1]]}], "inside": [[1,1,1]],
 "hints": [{"box": [[0,0,0],[1,1,1]]}]}"#;
 

@@ -160,7 +160,7 @@ fn brushes_mean_the_same_in_every_form() {
         r#"{"points": [[0,0,0],[2,0,0],[2,3,0],[0,3,0],[0,0,0.5],[2,0,0.5],[2,3,0.5],[0,3,0.5],[1,1,0.25]]}"#,
         r#"{"planes": [{"normal": [2,0,0], "offset": 4}, {"normal": [-1,0,0], "offset": 0},
             {"normal": [0,1,0], "offset": 3}, {"normal": [0,-3,0], "offset": 0},
-            {"normal": [0,0,"1/3"], "offset": "1/6"}, {"points": [[0,0,0],[1,0,0],[0,1,0]]},
+            {"normal": [0,0,"1/3"], "offset": "1/6"}, {"points": [[0,0,0],[0,1,0],[1,0,0]]},
             {"normal": [1,1,0], "offset": 9}, {"normal": [1,0,0], "offset": 2}]}"#,
     ];
     let planes = forms.map(|form| {

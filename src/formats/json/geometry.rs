@@ -119,7 +119,7 @@ pub enum ScenePlane {
         /// The offset.
         offset: Coordinate,
     },
-    /// Three points, clockwise as seen from outside the solid.
+    /// Three points, counter-clockwise as seen from outside the solid.
     Points([ScenePoint; 3]),
 }
 
@@ -161,7 +161,7 @@ struct PlaneFields {
     /// The value of normal · x on the plane.
     #[serde(default)]
     offset: Option<Coordinate>,
-    /// Three points, clockwise as seen from outside the solid.
+    /// Three points, counter-clockwise as seen from outside the solid.
     #[serde(default)]
     points: Option<[ScenePoint; 3]>,
 }

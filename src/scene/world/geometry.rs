@@ -350,8 +350,9 @@ fn planes_of(
                             .ok_or_else(|| broken("the normal is zero"))?
                     }
                     ScenePlane::Points(points) => {
-                        let points = points.each_ref().map(|p| point(&numbers(p)));
-                        outward_plane(&points)
+                        // Stated counter-clockwise, where the planes of a `.map` run clockwise.
+                        let [a, b, c] = points.each_ref().map(|p| point(&numbers(p)));
+                        outward_plane(&[a, c, b])
                             .ok_or_else(|| broken("its three points are on one line"))?
                     }
                 };
