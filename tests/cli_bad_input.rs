@@ -370,3 +370,40 @@ fn beside(uri: &str) -> Vec<u8> {
     )
     .into_bytes()
 }
+
+/// Outputs are checked together before the work: none is written where another cannot be, and one
+/// place holds one output.
+#[test]
+fn outputs_are_checked_before_any_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = |name: &str| root().join("scenes").join(name).display().to_string();
+    let (level, body) = (scene("bsp/two_rooms_door_slab.map"), scene("csg/boxes_frame.json"));
+    let (bsp, csg, pvs) = (["bsp", &level], ["csg", &body], ["pvs", &level]);
+    for (command, outputs) in [
+        (bsp, ["--prt", "same", "--cells", "same"]),
+        (csg, ["--obj", "same", "--glb", "same"]),
+        (pvs, ["-o", "-", "--npy", "-"]),
+    ] {
+        let run = stabline(folder.path(), &[&command[..], &outputs[..]].concat());
+        assert_fails(&run, 2, "the name of two outputs");
+    }
+    for (command, outputs) in [
+        (bsp, ["--prt", "kept.prt", "--cells", "no/folder.json"]),
+        (csg, ["-o", "kept.json", "--bsp", "no/folder.json"]),
+    ] {
+        let run = stabline(folder.path(), &[&command[..], &outputs[..]].concat());
+        assert_fails(&run, 3, "cannot write");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    let run = stabline(folder.path(), &["csg", &body, "--json", "--obj", "-"]);
+    assert!(stdout(&run).starts_with('#') && !stdout(&run).contains('{'), "{}", stdout(&run));
+}
+
+#[test]
+fn a_level_without_a_name_is_told_by_its_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = root().join("scenes/bsp/two_rooms_door_slab.map");
+    fs::copy(&source, folder.path().join("level")).unwrap();
+    let run = stabline(folder.path(), &["bsp", "level"]);
+    assert!(stdout(&run).contains("6 cells inside, 7 portals"), "{}", support::stderr(&run));
+}

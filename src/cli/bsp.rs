@@ -63,6 +63,8 @@ const SAMPLES: usize = 200;
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let options = args.world.division.options()?;
     let eye = args.painter.as_ref().map(|text| point("--painter", text)).transpose()?;
+    files::check_outputs([&args.pts])?;
+    let writes_to_stdout = files::check_outputs([&args.prt, &args.cells])?;
     let input = Input::read(&args.input)?;
     let stopwatch = Stopwatch::new(args.progress.reporter());
     stopwatch.begin("read", 0);
@@ -105,7 +107,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         (None, true) => report.to_json(),
         (None, false) => report.to_text(),
     };
-    files::print(&text)?;
+    if !writes_to_stdout {
+        files::print(&text)?;
+    }
     Ok(Exit::Done)
 }
 

@@ -35,6 +35,8 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
+    let outputs = [&args.output, &args.obj, &args.glb, &args.bsp];
+    let writes_to_stdout = files::check_outputs(outputs)?;
     let input = Input::read(&args.input)?;
     let file = CsgFile::read(&input.bytes).map_err(|error| Failure::file(&input.name, error))?;
     let placed = Placed::try_from(&file).map_err(|error| Failure::file(&input.name, error))?;
@@ -64,15 +66,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
             displacements.push_str(&write_mesh(path, &groups, write)?);
         }
     }
-    match args.json {
-        true => {
-            eprint!("{displacements}");
-            files::print(&json())?;
-        }
-        false => {
-            let text = body_text(&input.file_name(), &body, brushes, flat.len());
-            files::print(&format!("{text}{displacements}"))?;
-        }
+    if args.json || writes_to_stdout {
+        eprint!("{displacements}");
+    }
+    if !writes_to_stdout {
+        let text = || body_text(&input.file_name(), &body, brushes, flat.len()) + &displacements;
+        files::print(&if args.json { json() } else { text() })?;
     }
     Ok(Exit::Done)
 }

@@ -98,6 +98,7 @@ type Seen = (EyeReport, Vec<MeshGroup>);
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     args.world.refuse_hulls()?;
+    let writes_to_stdout = files::check_outputs([&args.glb, &args.obj])?;
     let eye = point("--at", &args.at)?;
     let lens = lens(&args)?;
     if args.needs_regions() && args.cull != Method::Exact {
@@ -115,8 +116,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     if let Some(path) = &args.obj {
         write_mesh(path, |out| mesh::write_obj(&mesh, out))?;
     }
-    let text = if args.json { report.to_json() } else { report.to_text() };
-    files::print(&text).map(|()| Exit::Done)
+    if !writes_to_stdout {
+        files::print(&if args.json { report.to_json() } else { report.to_text() })?;
+    }
+    Ok(Exit::Done)
 }
 
 fn write_mesh(

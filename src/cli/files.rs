@@ -78,15 +78,25 @@ pub(super) fn write(
     }
 }
 
-/// Whether an output could be written now, as [`write`] would: asked before a long computation, so
-/// that a wrong path is told at once.
-pub(super) fn check_output(path: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = path.filter(|path| *path != Path::new("-")) else { return Ok(()) };
-    let checked = target(path).and_then(|target| match target {
-        Target::Stream(_) => Ok(()),
-        Target::File(path) => Temporary::create(&path).map(drop),
-    });
-    checked.map_err(|error| Failure::system("write", path, &error))
+/// Checks the outputs that were asked for before the work for them begins: each could be written
+/// now, and no two are one. Whether one of them is standard output, which then holds it alone.
+pub(super) fn check_outputs<'a>(
+    paths: impl IntoIterator<Item = &'a Option<PathBuf>>,
+) -> Result<bool, Failure> {
+    let paths: Vec<&Path> = paths.into_iter().filter_map(Option::as_deref).collect();
+    for (index, path) in paths.iter().enumerate() {
+        if paths[..index].contains(path) {
+            return Err(Failure::usage(format!("{}: the name of two outputs", path.display())));
+        }
+        if *path != Path::new("-") {
+            let checked = target(path).and_then(|target| match target {
+                Target::Stream(_) => Ok(()),
+                Target::File(path) => Temporary::create(&path).map(drop),
+            });
+            checked.map_err(|error| Failure::system("write", path, &error))?;
+        }
+    }
+    Ok(paths.contains(&Path::new("-")))
 }
 
 /// Prints `text` to standard output.

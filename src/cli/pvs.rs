@@ -110,9 +110,8 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
-    for output in [&args.output, &args.npy, &args.stab_tree, &args.objects] {
-        files::check_output(output.as_deref())?;
-    }
+    let outputs = [&args.output, &args.npy, &args.stab_tree, &args.objects];
+    let writes_to_stdout = files::check_outputs(outputs)?;
     let input = Input::read(&args.input)?;
     let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
@@ -162,9 +161,6 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         files::write(Some(output), |out| report.write(out))?;
     }
     clock.lap("write");
-    let writes_to_stdout = [&args.output, &args.npy, &args.stab_tree, &args.objects]
-        .iter()
-        .any(|path| path.as_deref() == Some("-".as_ref()));
     if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
         files::print(&summary::summary(&graph, &report, objects.as_ref(), &finished, &args))?;
     }

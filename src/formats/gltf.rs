@@ -154,7 +154,7 @@ fn parse(bytes: &[u8]) -> Result<gltf::Gltf, GltfError> {
             None => return Err(syntax("header", "12 bytes expected".to_owned())),
         }
     }
-    gltf::Gltf::from_slice(bytes).map_err(|found| match found {
+    let broken = |found: gltf::Error| match found {
         gltf::Error::Binary(what) => syntax("container", what.to_string()),
         gltf::Error::Deserialize(what) => syntax("JSON", what.to_string()),
         gltf::Error::Validation(all) => match all.first() {
@@ -162,7 +162,29 @@ fn parse(bytes: &[u8]) -> Result<gltf::Gltf, GltfError> {
             None => syntax("JSON", "invalid".to_owned()),
         },
         other => syntax("file", other.to_string()),
-    })
+    };
+    let read = gltf::Gltf::from_slice_without_validation(bytes).map_err(broken)?;
+    let root = read.document.into_json();
+    if let Some(place) = stray_attribute(&root) {
+        return Err(syntax(&place, "Index out of bounds".to_owned()));
+    }
+    let document = gltf::Document::from_json(root).map_err(broken)?;
+    Ok(gltf::Gltf { document, blob: read.blob })
+}
+
+/// The place of an attribute whose accessor is not there: the crate's own validation looks
+/// positions up before it checks that they are.
+fn stray_attribute(root: &Root) -> Option<String> {
+    let meshes = root.meshes.iter().enumerate();
+    let primitives = meshes.flat_map(|(mesh, stated)| {
+        stated.primitives.iter().enumerate().map(move |(number, one)| (mesh, number, one))
+    });
+    primitives
+        .filter(|(_, _, primitive)| {
+            primitive.attributes.values().any(|accessor| accessor.value() >= root.accessors.len())
+        })
+        .map(|(mesh, number, _)| format!("meshes[{mesh}].primitives[{number}].attributes"))
+        .next()
 }
 
 struct Walk<'a> {

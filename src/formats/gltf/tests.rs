@@ -157,6 +157,7 @@ fn errors_name_the_element_and_the_rule() {
         ("VEC3", "VEC2", "accessors[0]: positions that are not three 32-bit floats"),
         ("5121", "5126", "accessors[1]: indices that are not unsigned integers"),
         (r#""indices": 1"#, r#""indices": 7"#, "meshes[0].primitives[0].indices: "),
+        (r#""POSITION": 0"#, r#""POSITION": 5"#, "meshes[0].primitives[0].attributes: "),
         (r#"{"nodes": [0]}"#, "", "scenes: the file has no scene"),
         (r#"[{"mesh": 0}]"#, r#"[{"mesh": 0, "children": [0]}]"#, "nodes[0]: the node has two"),
         (r#"{"mesh": 0}"#, r#"{"mesh": 0, "rotation": [0,0,0,0]}"#, "nodes[0]: the rotation's"),

@@ -42,7 +42,7 @@ impl InputKind {
         if bytes.starts_with(b"glTF") || ends(".glb") || ends(".gltf") {
             return Ok(InputKind::Gltf);
         }
-        if ends(".map") {
+        if ends(".map") || looks_like_map(bytes) {
             return Ok(InputKind::Map);
         }
         if ends(".obj") {
@@ -59,6 +59,17 @@ impl InputKind {
             }
         }
     }
+}
+
+/// Whether a text without a telling name is a level's source: comments, or an entity, whose keys
+/// are followed by their values and not by colons as in JSON.
+fn looks_like_map(bytes: &[u8]) -> bool {
+    let text = bytes.trim_ascii_start();
+    let Some(entity) = text.strip_prefix(b"{") else { return text.starts_with(b"//") };
+    let entity = entity.trim_ascii_start();
+    let Some(key) = entity.strip_prefix(b"\"") else { return entity.starts_with(b"//") };
+    let end = key.iter().position(|&byte| byte == b'"');
+    end.is_some_and(|end| key[end + 1..].trim_ascii_start().starts_with(b"\""))
 }
 
 /// Reads a world from the bytes of a file called `name`.
