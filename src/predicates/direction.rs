@@ -54,7 +54,7 @@ pub struct FloatVector {
 
 impl FloatVector {
     /// The vector nearest to an integer vector, or to its part by the power of two that leaves
-    /// [`LONGEST`] bits.
+    /// `LONGEST` bits.
     pub fn nearest(exact: &[Int; 3]) -> FloatVector {
         let bits = exact.iter().map(Int::bits).max().unwrap_or(0);
         let excess = bits.saturating_sub(LONGEST);
