@@ -3,7 +3,8 @@
 //! Each cell carries the formula that is left of the expression in it: brushes that hold the cell
 //! or miss it are replaced by their value there, so a cell's work depends on the brushes that its
 //! inside is still undecided about, not on all. Where brushes are spread out, that halves with
-//! every split.
+//! every split. A cell stays a box by ranks until a plane that is not axial must divide it: until
+//! then no sign is asked for, and no polyhedron made.
 
 use super::ends::{Ends, Ranks};
 use super::formula::Formula;

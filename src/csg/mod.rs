@@ -7,9 +7,14 @@
 //! has one value in each cell: a brush that holds a cell or misses it is decided there, and an
 //! expression often before all of its brushes are.
 //!
-//! Invariants: every plane is one of the brushes' own; no vertex is rounded; the result is a
-//! function of the expression. Complexity: in each cell O(m) signs, m the number of brushes that
-//! are undecided above it: with n brushes that are spread out, O(n log n) in all.
+//! Boxes around brushes, by the ranks of their ends, come first: axial planes tell apart what is
+//! spread out, and planes of brushes divide only what is left.
+//!
+//! Invariants: every face of the boundary lies in a plane of a brush; other axial planes may cut
+//! it; no vertex is rounded; the result is a function of the expression. Complexity: in each cell
+//! O(m log m), m the number of brushes that are undecided in it, and, where a brush is no box,
+//! O(m) signs for each plane weighed. Where brushes are spread out or crowded evenly, time grows
+//! about as their number does.
 
 mod boundary;
 mod brush;
