@@ -25,6 +25,13 @@ impl Bounds {
         }
     }
 
+    /// The box behind six planes.
+    ///
+    /// Requires: they are perpendicular to the axes in order, point outwards and enclose volume.
+    pub fn of_planes(low: [PlaneId; 3], high: [PlaneId; 3]) -> Bounds {
+        Bounds { low, high }
+    }
+
     /// The box by its corners.
     pub fn corners(&self, planes: &PlaneSet) -> AxialBox {
         let offset = |plane: PlaneId, axis: usize| {

@@ -13,10 +13,8 @@
 
 use super::{PlaneId, PlaneSet};
 use crate::geom::RationalPoint3;
-use crate::geom::vector::cross;
 use crate::num::{Rational, Sign};
 use crate::predicates::{Vertex, side_of_vertex};
-use num_traits::Zero;
 
 /// A convex polygon.
 #[derive(Clone, Debug)]
@@ -102,27 +100,18 @@ impl Polygon {
     /// Twice its area vector, along the normal of the support: the sum of the cross products of
     /// neighbouring vertices.
     pub fn doubled_area(&self) -> [Rational; 3] {
-        let points: Vec<_> = self.points().iter().map(RationalPoint3::coordinates).collect();
-        let next = points.iter().cycle().skip(1);
-        let parts = points.iter().zip(next).map(|(p, q)| cross(p, q));
-        parts.fold([(); 3].map(|()| Rational::zero()), |sum, part| {
-            std::array::from_fn(|i| &sum[i] + &part[i])
-        })
+        [0, 1, 2].map(|axis| self.doubled_shadow(axis))
     }
 
     /// The coordinate of [`Polygon::doubled_area`] along an axis: twice the area of its shadow.
     pub fn doubled_shadow(&self, axis: usize) -> Rational {
         let points = self.points();
+        let grid = RationalPoint3::common_denominator(&points);
+        let points: Vec<_> = points.iter().map(|p| p.on_grid(&grid).coordinates).collect();
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        // Relative to a vertex: a fan of triangles.
-        let (first, rest) = points.split_first().expect("a polygon has vertices");
-        let first = first.coordinates();
-        let arm = |p: &RationalPoint3| {
-            let p = p.coordinates();
-            [&p[i] - &first[i], &p[j] - &first[j]]
-        };
-        let arms: Vec<_> = rest.iter().map(arm).collect();
-        arms.windows(2).map(|pair| &pair[0][0] * &pair[1][1] - &pair[0][1] * &pair[1][0]).sum()
+        let next = points.iter().cycle().skip(1);
+        let shadow = points.iter().zip(next).map(|(p, q)| &p[i] * &q[j] - &p[j] * &q[i]).sum();
+        Rational::new(shadow, &grid * &grid)
     }
 
     /// The same polygon seen from its other side.

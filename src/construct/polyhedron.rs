@@ -177,6 +177,10 @@ pub fn mean(points: impl Iterator<Item = RationalPoint3>) -> RationalPoint3 {
 }
 
 fn pyramids(face: &Polygon) -> Rational {
-    let points: Vec<_> = face.points().iter().map(RationalPoint3::coordinates).collect();
-    points.windows(2).skip(1).map(|pair| determinant([&points[0], &pair[0], &pair[1]])).sum()
+    let points = face.points();
+    let grid = RationalPoint3::common_denominator(&points);
+    let points: Vec<_> = points.iter().map(|p| p.on_grid(&grid).coordinates).collect();
+    let fan = points.windows(2).skip(1);
+    let six = fan.map(|pair| determinant([&points[0], &pair[0], &pair[1]])).sum();
+    Rational::new(six, grid.pow(3))
 }

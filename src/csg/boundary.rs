@@ -2,9 +2,6 @@
 
 use super::divide::{Cell, Child, Tree};
 use crate::construct::{PlaneSet, Polygon, Split};
-use crate::geom::vector::dot;
-use crate::num::{Int, Rational};
-use num_traits::Zero;
 
 /// The faces of `cells` as far as they lie against the outside.
 ///
@@ -48,24 +45,5 @@ fn against_outside(
             Split::On => unreachable!("no plane splits on both sides of itself"),
             Split::Both(positive, negative) => tasks.extend([(front, positive), (back, negative)]),
         }
-    }
-}
-
-/// A polygon's area, if it is rational.
-pub(super) fn area(polygon: &Polygon) -> Option<Rational> {
-    let doubled = polygon.doubled_area();
-    let square = dot(&doubled, &doubled);
-    Some(root(&square)? / Int::from(2))
-}
-
-/// The square root of a number that is not negative, if it is rational.
-fn root(square: &Rational) -> Option<Rational> {
-    let of = |value: &Int| {
-        let root = value.sqrt();
-        (&root * &root == *value).then_some(root)
-    };
-    match square.is_zero() {
-        true => Some(Rational::zero()),
-        false => Some(Rational::new(of(square.numer())?, of(square.denom())?)),
     }
 }

@@ -3,15 +3,21 @@
 //! Each cell carries the formula that is left of the expression in it: brushes that hold the cell
 //! or miss it are replaced by their value there, so a cell's work depends on the brushes that its
 //! inside is still undecided about, not on all. Where brushes are spread out, that halves with
-//! every split.
+//! every split. A cell stays a box by ranks until a plane that is not axial must divide it: until
+//! then no sign is asked for, and no polyhedron made.
 
+use super::ends::{Ends, Ranks};
 use super::formula::Formula;
-use crate::construct::{Bounds, PlaneId, PlaneSet, Polyhedron};
+use crate::construct::{PlaneId, PlaneSet, Polyhedron};
+use std::rc::Rc;
 
 /// A brush with volume.
 pub(super) struct Brush {
     pub planes: Vec<PlaneId>,
     pub solid: Polyhedron,
+    /// A box around it: itself, if it is one.
+    pub around: Ranks,
+    pub is_box: bool,
 }
 
 /// A tree of splitting planes, whose leaves are inside or outside.
@@ -65,51 +71,70 @@ impl Tree {
     }
 }
 
-/// A part of the box that waits for its turn.
+/// A part of space: a box, or what planes have left of it.
+struct Part {
+    around: Ranks,
+    /// None while it is the box itself.
+    solid: Option<Polyhedron>,
+}
+
+/// A part that waits for its turn, and what is undecided above it.
 struct Task {
-    cell: Polyhedron,
-    formula: Formula,
+    part: Part,
+    formula: Rc<Formula>,
     /// The node above it, and which of its children it is.
     slot: Option<(u32, usize)>,
 }
 
-/// How many planes are weighed for a split.
+/// What a split costs for each brush that it cuts, in brushes that it fails to tell apart.
+const CUT: usize = 4;
+
+/// How many planes of brushes are weighed for a split.
 const CANDIDATES: usize = 16;
 
 /// Divides a box until the formula has one value in each cell; brushes without volume are `None`.
 pub(super) fn divide(
     planes: &PlaneSet,
-    bounds: &Bounds,
+    ends: &Ends,
     brushes: &[Option<Brush>],
     formula: Formula,
 ) -> (Tree, Vec<Cell>) {
     let mut tree = Tree { root: Child::Outside, nodes: Vec::new() };
     let mut cells = Vec::new();
-    let mut tasks = vec![Task { cell: bounds.polyhedron(planes), formula, slot: None }];
-    while let Some(Task { cell, formula, slot }) = tasks.pop() {
+    let whole = Part { around: ends.whole(), solid: None };
+    let mut tasks = vec![Task { part: whole, formula: Rc::new(formula), slot: None }];
+    while let Some(Task { mut part, formula, slot }) = tasks.pop() {
         let left = formula.simplified(&mut |brush| match &brushes[brush] {
-            Some(brush) => holds(planes, brush, &cell),
+            Some(brush) => holds(planes, brush, &part),
             None => Some(false),
         });
         let parent = slot.map(|(node, _)| node);
         let child = match left {
             Ok(true) => {
-                cells.push(Cell { solid: cell, parent });
+                let solid = part.solid.take();
+                let solid = solid.unwrap_or_else(|| ends.bounds(&part.around).polyhedron(planes));
+                cells.push(Cell { solid, parent });
                 Child::Inside
             }
             Ok(false) => Child::Outside,
             Err(formula) => {
-                let node = tree.nodes.len() as u32;
-                let plane = choose(planes, brushes, &cell, &formula);
-                let section = cell.section(planes, bounds, plane);
-                let [front, back] = cell.split(planes, &section);
-                let leaves = [Child::Outside; 2];
-                tree.nodes.push(Node { plane, children: leaves, parent });
-                let task = |cell, side| {
-                    let formula = formula.clone();
-                    Task { cell, formula, slot: Some((node, side)) }
+                let mut numbers = Vec::new();
+                formula.brushes(&mut numbers);
+                let open: Vec<&Brush> =
+                    numbers.iter().filter_map(|&brush| brushes[brush].as_ref()).collect();
+                let formula = Rc::new(formula);
+                let Some((plane, sides)) = split(planes, ends, &open, &mut part) else {
+                    // A box that no axial plane divides well: brushes are held against it exactly.
+                    part.solid = Some(ends.bounds(&part.around).polyhedron(planes));
+                    tasks.push(Task { part, formula, slot });
+                    continue;
                 };
-                tasks.extend([task(back, 1), task(front, 0)]);
+                let node = tree.nodes.len() as u32;
+                tree.nodes.push(Node { plane, children: [Child::Outside; 2], parent });
+                let [front, back] = sides;
+                for (part, side) in [(back, 1), (front, 0)] {
+                    tasks.push(Task { part, formula: formula.clone(), slot: Some((node, side)) });
+                }
                 Child::Node(node)
             }
         };
@@ -121,11 +146,19 @@ pub(super) fn divide(
     (tree, cells)
 }
 
-/// Whether a brush holds a cell or misses it; `None` where it does neither.
-fn holds(planes: &PlaneSet, brush: &Brush, cell: &Polyhedron) -> Option<bool> {
+/// Whether a brush holds a part or misses it; `None` where it does neither, or where that takes
+/// more than boxes to tell and the part is a box.
+fn holds(planes: &PlaneSet, brush: &Brush, part: &Part) -> Option<bool> {
+    if brush.around.misses(&part.around) {
+        return Some(false);
+    }
+    if brush.is_box && brush.around.holds(&part.around) {
+        return Some(true);
+    }
+    let solid = part.solid.as_ref()?;
     let mut holds = true;
     for &plane in &brush.planes {
-        let extent = cell.extent(planes, plane);
+        let extent = solid.extent(planes, plane);
         if !extent.back {
             return Some(false);
         }
@@ -134,18 +167,68 @@ fn holds(planes: &PlaneSet, brush: &Brush, cell: &Polyhedron) -> Option<bool> {
     holds.then_some(true)
 }
 
-/// Of some planes that cross the cell, the one that leaves most brushes to one side, evenly.
-fn choose(
+/// Splits a part, in front of a plane and behind it; `None` for a box that only planes of brushes
+/// divide well.
+fn split(
     planes: &PlaneSet,
-    brushes: &[Option<Brush>],
-    cell: &Polyhedron,
-    formula: &Formula,
-) -> PlaneId {
-    let mut numbers = Vec::new();
-    formula.brushes(&mut numbers);
-    let open: Vec<&Brush> = numbers.iter().filter_map(|&brush| brushes[brush].as_ref()).collect();
+    ends: &Ends,
+    open: &[&Brush],
+    part: &mut Part,
+) -> Option<(PlaneId, [Part; 2])> {
+    let around = part.around;
+    match part.solid.take() {
+        None => {
+            let (axis, rank) = separator(open, &around)?;
+            let side = |end: usize| {
+                let mut around = around;
+                around.0[axis][end] = rank;
+                Part { around, solid: None }
+            };
+            Some((ends.plane(axis, rank), [side(0), side(1)]))
+        }
+        Some(solid) => {
+            let plane = choose(planes, open, &solid);
+            let section = solid.section(planes, &ends.bounds(&around), plane);
+            let sides = solid.split(planes, &section);
+            Some((plane, sides.map(|solid| Part { around, solid: Some(solid) })))
+        }
+    }
+}
+
+/// The axial plane that divides the brushes of a box best.
+fn separator(open: &[&Brush], around: &Ranks) -> Option<(usize, u32)> {
+    let mut best: Option<(usize, usize, u32)> = None;
+    for axis in 0..3 {
+        let sorted = |end: usize| {
+            let mut ends: Vec<u32> = open.iter().map(|brush| brush.around.0[axis][end]).collect();
+            ends.sort_unstable();
+            ends
+        };
+        let (low, high) = (sorted(0), sorted(1));
+        let [least, most] = around.0[axis];
+        for brush in open {
+            for rank in brush.around.0[axis] {
+                if rank <= least || most <= rank {
+                    continue;
+                }
+                let back = high.partition_point(|&end| end <= rank);
+                let front = low.len() - low.partition_point(|&end| end < rank);
+                let cut = open.len() - front - back;
+                let score = front.abs_diff(back) + CUT * cut;
+                let divides = brush.is_box || (front > 0 && back > 0 && 2 * cut <= open.len());
+                if divides && best.is_none_or(|(least, _, _)| score < least) {
+                    best = Some((score, axis, rank));
+                }
+            }
+        }
+    }
+    best.map(|(_, axis, rank)| (axis, rank))
+}
+
+/// Of some planes that cross a part, the one that leaves most brushes to one side, evenly.
+fn choose(planes: &PlaneSet, open: &[&Brush], part: &Polyhedron) -> PlaneId {
     let crosses = |plane: &PlaneId| {
-        let extent = cell.extent(planes, *plane);
+        let extent = part.extent(planes, *plane);
         extent.front && extent.back
     };
     let step = (2 * open.len()).div_ceil(CANDIDATES);
@@ -153,7 +236,7 @@ fn choose(
     let candidates = sampled.flat_map(|brush| brush.planes.iter().copied().filter(crosses).take(2));
     let score = |plane: PlaneId| {
         let (mut front, mut back, mut both) = (0usize, 0usize, 0usize);
-        for brush in &open {
+        for brush in open {
             let extent = brush.solid.extent(planes, plane);
             match (extent.front, extent.back) {
                 (true, true) => both += 1,
@@ -161,7 +244,7 @@ fn choose(
                 (false, _) => back += 1,
             }
         }
-        front.abs_diff(back) + 2 * both
+        front.abs_diff(back) + CUT * both
     };
     candidates
         .min_by_key(|&plane| score(plane))

@@ -7,17 +7,24 @@
 //! has one value in each cell: a brush that holds a cell or misses it is decided there, and an
 //! expression often before all of its brushes are.
 //!
-//! Invariants: every plane is one of the brushes' own; no vertex is rounded; the result is a
-//! function of the expression. Complexity: in each cell O(m) signs, m the number of brushes that
-//! are undecided above it: with n brushes that are spread out, O(n log n) in all.
+//! Boxes around brushes, by the ranks of their ends, come first: axial planes tell apart what is
+//! spread out, and planes of brushes divide only what is left.
+//!
+//! Invariants: every face of the boundary lies in a plane of a brush; other axial planes may cut
+//! it; no vertex is rounded; the result is a function of the expression. Complexity: in each cell
+//! O(m log m), m the number of brushes that are undecided in it, and, where a brush is no box,
+//! O(m) signs for each plane weighed. Where brushes are spread out or crowded evenly, time grows
+//! about as their number does.
 
 mod boundary;
 mod brush;
 mod divide;
+mod ends;
 mod expression;
 mod formula;
 mod hull;
 mod input;
+mod measure;
 #[cfg(test)]
 mod tests;
 mod turn;
@@ -28,12 +35,11 @@ pub use expression::{Expression, Half, Transform};
 pub use hull::hull;
 pub use input::{MAX_BRUSHES, MAX_DEPTH, NodeError, NodeRule, Placed};
 
-use crate::construct::{
-    Bounds, Boxed, IntegerBox, Limits, PlaneSet, Polygon, Polyhedron, SolidError,
-};
+use crate::construct::{Boxed, Limits, PlaneId, PlaneSet, Polygon, Polyhedron, SolidError};
 use crate::geom::AxialBox;
 use crate::num::{Int, Rational};
 use divide::{Brush, divide};
+use ends::Ends;
 use formula::{Flat, flatten};
 
 /// What an expression comes to.
@@ -94,25 +100,38 @@ pub fn evaluate(expression: &Expression) -> Result<Body, CsgError> {
             Err(SolidError::Unbounded) => return Err(CsgError::UnboundedBrush { brush }),
         });
     }
-    let boxes = solids.iter().flatten().map(|body| &body.around);
-    let around = IntegerBox::of_all(boxes, &Int::from(1)).unwrap_or_else(|| {
-        let corner = |at: i32| [at; 3].map(|c| Rational::from(Int::from(c)));
-        AxialBox { low: corner(-1), high: corner(1) }
-    });
-    let bounds = Bounds::new(&mut planes, &around);
     let flat = (0..solids.len()).filter(|&brush| solids[brush].is_none()).collect();
-    let brushes: Vec<Option<Brush>> = (solids.into_iter().zip(ids))
-        .map(|(solid, planes)| solid.map(|Boxed { solid, .. }| Brush { planes, solid }))
-        .collect();
-    let (tree, cells) = divide(&planes, &bounds, &brushes, formula);
-    let ends = bounds.planes();
-    let is_end = |face: &Polygon| ends.contains(&face.support());
-    if cells.iter().any(|cell| cell.solid.faces().iter().any(is_end)) {
+    let boxes: Vec<AxialBox> =
+        solids.iter().flatten().map(|Boxed { solid, .. }| ends::around(&planes, solid)).collect();
+    let whole = around_all(&boxes);
+    let (ends, ranks) = Ends::new(&mut planes, &whole, &boxes);
+    let mut ranks = ranks.into_iter();
+    let brush = |(solid, half_spaces): (Option<Boxed>, Vec<PlaneId>)| {
+        let Boxed { solid, .. } = solid?;
+        let (around, is_box) = (ranks.next()?, ends::is_box(&planes, &solid));
+        Some(Brush { planes: half_spaces, solid, around, is_box })
+    };
+    let brushes: Vec<Option<Brush>> = solids.into_iter().zip(ids).map(brush).collect();
+    let (tree, cells) = divide(&planes, &ends, &brushes, formula);
+    let limits = ends.bounds(&ends.whole()).planes();
+    let is_limit = |face: &Polygon| limits.contains(&face.support());
+    if cells.iter().any(|cell| cell.solid.faces().iter().any(is_limit)) {
         return Err(CsgError::Unbounded);
     }
     let boundary = boundary::of(&planes, &tree, &cells);
     let cells = cells.into_iter().map(|cell| cell.solid).collect();
     Ok(Body { planes, tree, cells, boundary, flat })
+}
+
+/// A box with some room around others, or any if there are none.
+fn around_all(boxes: &[AxialBox]) -> AxialBox {
+    let one = || Rational::from(Int::from(1));
+    let low = |i: usize| boxes.iter().map(|around| &around.low[i]).min().map(|low| low - one());
+    let high = |i: usize| boxes.iter().map(|around| &around.high[i]).max().map(|high| high + one());
+    AxialBox {
+        low: [0, 1, 2].map(|i| low(i).unwrap_or_else(|| -one())),
+        high: [0, 1, 2].map(|i| high(i).unwrap_or_else(one)),
+    }
 }
 
 impl CsgError {
@@ -128,11 +147,11 @@ impl CsgError {
 impl Body {
     /// Its volume.
     pub fn volume(&self) -> Rational {
-        self.cells.iter().map(Polyhedron::volume).sum()
+        measure::volume(&self.planes, &self.boundary)
     }
 
     /// The area of its boundary, if that is rational.
     pub fn surface_area(&self) -> Option<Rational> {
-        self.boundary.iter().map(boundary::area).sum()
+        measure::area(&self.planes, &self.boundary)
     }
 }

@@ -7,7 +7,7 @@
 
 use crate::num::{Int, Number, Rational};
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use num_traits::{One, ToPrimitive};
 
 /// The largest magnitude of a coordinate of [`Point2`] and [`Point3`]: every integer up to here
 /// is an `f64`.
@@ -98,11 +98,17 @@ impl RationalPoint3 {
     /// If the denominator is zero.
     pub fn new(numerators: [Int; 3], denominator: Int) -> RationalPoint3 {
         assert!(denominator != Int::ZERO, "a point at infinity");
-        let mut divisor = numerators.iter().fold(denominator.clone(), |g, c| g.gcd(c));
+        let mut divisor = denominator.clone();
+        for numerator in &numerators {
+            if divisor.is_one() {
+                break;
+            }
+            divisor = divisor.gcd(numerator);
+        }
         if denominator < Int::ZERO {
             divisor = -divisor;
         }
-        if divisor == Int::from(1) {
+        if divisor.is_one() {
             return RationalPoint3 { numerators, denominator };
         }
         RationalPoint3 {
@@ -150,7 +156,13 @@ impl RationalPoint3 {
 
     /// x, y and z, each in lowest terms.
     pub fn coordinates(&self) -> [Rational; 3] {
-        self.numerators.each_ref().map(|c| Rational::new(c.clone(), self.denominator.clone()))
+        match self.denominator.is_one() {
+            true => self.numerators.clone().map(Rational::from),
+            false => self
+                .numerators
+                .each_ref()
+                .map(|c| Rational::new(c.clone(), self.denominator.clone())),
+        }
     }
 }
 

@@ -8,12 +8,14 @@
 mod decimal;
 mod number;
 mod sign;
+mod sum;
 mod surd;
 mod wide;
 
 pub use decimal::{DecimalError, format_decimal, parse_decimal};
 pub use number::Number;
 pub use sign::Sign;
+pub use sum::sum;
 pub use surd::{Surd, sign_of_surd, sign_of_two_surds};
 pub use wide::{Int192, Int256, Int320, Int512, Wide};
 

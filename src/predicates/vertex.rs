@@ -12,6 +12,7 @@ use super::budget::U;
 use super::counters::{Predicate, Stage, record};
 use crate::geom::{BigPlane, RationalPoint3};
 use crate::num::{Int, Int256, Sign};
+use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 
 /// A plane as the stages of [`side_of_vertex`] read it.
@@ -110,7 +111,11 @@ impl Vertex {
     /// The point in lowest terms.
     pub fn point(&self) -> RationalPoint3 {
         let [x, y, z, w] = match &self.exact {
-            Homogeneous::Fixed { values, .. } => values.map(Int::from),
+            // Most divisors are one; in machine integers that is known without an allocation.
+            Homogeneous::Fixed { values, .. } => {
+                let divisor = values.iter().fold(0, |divisor: i128, c| divisor.gcd(c));
+                values.map(|c| Int::from(c / divisor))
+            }
             Homogeneous::Big(values) => (**values).clone(),
         };
         RationalPoint3::new([x, y, z], w)
