@@ -173,18 +173,24 @@ fn holds(expression: &Expression, point: &[Rational; 3]) -> Option<bool> {
     }
 }
 
-/// Where the body's tree has the point: strictly on one side of each plane on its way.
+/// Where the body's tree has the point; on both sides of a plane through it, which is no brush's,
+/// it must have it alike.
 fn located(body: &Body, point: &RationalPoint3) -> Child {
-    let mut at = body.tree.root;
-    while let Child::Node(node) = at {
+    let (mut leaves, mut stack) = (Vec::new(), vec![body.tree.root]);
+    while let Some(at) = stack.pop() {
+        let Child::Node(node) = at else {
+            leaves.push(at);
+            continue;
+        };
         let node = &body.tree.nodes[node as usize];
-        at = node.children[match side_of_point(body.planes.get(node.plane), point) {
-            Sign::Positive => 0,
-            Sign::Negative => 1,
-            Sign::Zero => panic!("the point is on no brush's plane"),
-        }];
+        match side_of_point(body.planes.get(node.plane), point) {
+            Sign::Positive => stack.push(node.children[0]),
+            Sign::Negative => stack.push(node.children[1]),
+            Sign::Zero => stack.extend(node.children),
+        }
     }
-    at
+    assert!(leaves.windows(2).all(|pair| pair[0] == pair[1]), "{point:?}");
+    leaves[0]
 }
 
 #[test]
