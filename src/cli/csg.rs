@@ -2,14 +2,13 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::meshes::{self, Writer};
 use crate::construct::Polygon;
 use crate::csg::{self, Body, Placed};
 use crate::formats::csg::CsgFile;
 use crate::formats::mesh::{self, MeshGroup};
-use crate::num::Rational;
 use crate::report::{BodyReport, BodyTreeReport, InputId, body_text};
 use num_traits::{ToPrimitive, Zero};
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Evaluate a boolean expression of convex brushes, exactly
@@ -76,15 +75,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-type Writer = fn(&[MeshGroup], &mut dyn Write) -> io::Result<Rational>;
-
 /// Writes a mesh, and says how far its coordinates were moved.
 fn write_mesh(path: &Path, groups: &[MeshGroup], write: Writer) -> Result<String, Failure> {
-    let mut largest = Rational::zero();
-    files::write(Some(path), |out| {
-        largest = write(groups, out)?;
-        Ok(())
-    })?;
+    let largest = meshes::write(path, groups, write)?;
     let name = files::file_name(path);
     Ok(match largest.is_zero() {
         true => format!("{name}: coordinates are exact\n"),

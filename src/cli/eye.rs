@@ -2,6 +2,7 @@
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::meshes::{self, Writer};
 use super::numbers::{numbers, point};
 use super::world::{self, WorldArgs};
 use crate::construct::Polygon;
@@ -14,7 +15,6 @@ use crate::num::Rational;
 use crate::report::{EyeReport, InputId, Silent};
 use crate::scene::{self, CellId, PortalGraph, PortalId};
 use num_traits::ToPrimitive;
-use std::io::{self, Write};
 use std::iter;
 use std::path::{Path, PathBuf};
 
@@ -111,10 +111,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         false => of_graph(&args, &input, &eye, lens.as_ref())?,
     };
     if let Some(path) = &args.glb {
-        write_mesh(path, |out| mesh::write_glb(&mesh, out))?;
+        write_mesh(path, &mesh, mesh::write_glb)?;
     }
     if let Some(path) = &args.obj {
-        write_mesh(path, |out| mesh::write_obj(&mesh, out))?;
+        write_mesh(path, &mesh, mesh::write_obj)?;
     }
     if !writes_to_stdout {
         files::print(&if args.json { report.to_json() } else { report.to_text() })?;
@@ -122,15 +122,8 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-fn write_mesh(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<Rational>,
-) -> Result<(), Failure> {
-    let mut moved = Rational::default();
-    files::write(Some(path), |out| {
-        moved = write(out)?;
-        Ok(())
-    })?;
+fn write_mesh(path: &Path, groups: &[MeshGroup], write: Writer) -> Result<(), Failure> {
+    let moved = meshes::write(path, groups, write)?;
     if moved != Rational::default() {
         let about = moved.to_f64().unwrap_or(f64::INFINITY);
         eprintln!("{}: coordinates moved by {about:.3e} at most", path.display());

@@ -14,6 +14,7 @@ mod export;
 mod eye;
 mod files;
 mod interrupt;
+mod meshes;
 mod motion;
 mod numbers;
 mod progress;
