@@ -5,9 +5,11 @@
 //! subdivision (Teller and Séquin 1991, §2.3), or one that a file states.
 
 mod graph;
+mod read;
 mod stated;
 
 pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal};
+pub use read::{PlanInput, read_plan};
 pub use stated::{
     Plan, PlanError, PlanErrorKind, PlanObject, PlanRepairs, PlanSegment, RawPlan, RawSegment,
 };
