@@ -5,7 +5,7 @@ use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
 use super::{Args, on_threads};
-use crate::pvs::plan::{Groups, PlanSight, plan_matrix, plan_sights};
+use crate::pvs::plan::{Groups, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
 use crate::scene::plan::PlanGraph;
@@ -26,13 +26,16 @@ pub(super) fn run(
         Planar::Divided { .. } => sweep(graph, wants_witnesses, watch),
         Planar::Graph(_) => search(graph, watch),
     })?;
-    let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
+    let Some((mut matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
+    if args.grazing {
+        classify_grazing(args, &planar, &mut matrix)?;
+    }
     clock.lap("search");
     let report = PvsReport {
         program: PvsReport::this_program(),
         input: InputId::new(&input.file_name(), &input.bytes),
         reading: args.plan.stated(),
-        grazing_classified: false,
+        grazing_classified: args.grazing,
         cells: graph.cells.clone(),
         leaf_to_cell: (0..graph.cells.len() as u32).collect(),
         skew_portals: 0,
@@ -83,6 +86,19 @@ fn sweep(graph: &PlanGraph, wants_witnesses: bool, progress: &dyn Progress) -> F
     }
     let (matrix, sights) = plan_sights(graph, &crossings, &groups, progress)?;
     Some((matrix, sights.into_iter().map(witness).collect()))
+}
+
+fn classify_grazing(args: &Args, planar: &Planar, matrix: &mut Matrix) -> Result<(), Failure> {
+    let Planar::Divided { cells, .. } = planar else {
+        return Err(Failure::usage(
+            "--grazing: the graph states no polygons of its cells; expected a floorplan",
+        ));
+    };
+    let (graph, crossings) = (&cells.graph, cells.graph.crossings());
+    let groups = Groups::cells(graph.cells.len());
+    let done =
+        on_threads(args, |watch| classify_plan_grazing(graph, &crossings, &groups, matrix, watch))?;
+    done.ok_or(Failure::Interrupted)
 }
 
 fn witness(sight: PlanSight) -> PairWitness {
