@@ -156,7 +156,7 @@ fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
 fn grazing_pairs_are_those_of_all_sequences() {
     let mut random = Random::new(12);
     let mut grazing = 0;
-    for round in 0..120 {
+    for round in 0..800 {
         let mut segments = Vec::new();
         let count = random.between(2, if round % 2 == 0 { 7 } else { 5 });
         while segments.len() < count as usize {
