@@ -10,6 +10,7 @@ mod cells;
 mod check;
 mod enumerate;
 mod flood;
+pub mod plan;
 mod population;
 #[cfg(test)]
 mod tests;

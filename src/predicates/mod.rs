@@ -30,6 +30,7 @@ mod lines;
 mod lines4;
 mod meets;
 mod orient;
+mod plan;
 mod plane;
 mod ring;
 #[cfg(test)]
@@ -55,6 +56,7 @@ pub use orient::{
     orient2d, orient2d_big, orient2d_exact, orient3d, orient3d_big, orient3d_exact,
     orient3d_filter, orient3d_rational,
 };
+pub use plan::{PlanPoint, PlanPoints, compare_coordinates, turn_of_points, turn_of_points_filter};
 pub use plane::{
     side_of_plane, side_of_plane_big, side_of_plane_exact, vertex_side_of_plane,
     vertex_side_of_plane_big, vertex_side_of_plane_exact,

@@ -11,6 +11,7 @@ mod input;
 pub mod level;
 mod objects;
 mod order;
+pub mod plan;
 mod polygon;
 #[cfg(test)]
 mod tests;

@@ -29,6 +29,7 @@ mod inside;
 mod locate;
 mod options;
 mod painter;
+pub mod plan;
 mod prepare;
 mod refine;
 #[cfg(test)]

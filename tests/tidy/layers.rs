@@ -14,7 +14,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("csg", &["num", "geom", "construct", "formats"]),
     ("scene", &["num", "geom", "predicates", "construct", "stab", "formats", "csg"]),
     ("report", &["num", "geom", "construct", "stab", "csg", "scene", "formats"]),
-    ("subdivision", &["num", "geom", "predicates", "construct", "report"]),
+    ("subdivision", &["num", "geom", "predicates", "construct", "scene", "report"]),
     ("portal", &["num", "geom", "predicates", "construct", "scene", "report", "subdivision"]),
     ("pvs", &["num", "geom", "predicates", "stab", "scene", "report"]),
     (
