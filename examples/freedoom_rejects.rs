@@ -1,0 +1,43 @@
+use stabline::formats::wad::Archive;
+use stabline::portal::doom::DoomAreas;
+use stabline::portal::plan::cells_of_plan;
+use stabline::report::Silent;
+use stabline::scene::plan::{DoomOddity, plan_of_map};
+use stabline::subdivision::plan::{PlanMethod, divide};
+use std::time::Instant;
+fn main() {
+    for path in std::env::args().skip(1) {
+        let bytes = std::fs::read(path).unwrap();
+        let archive = Archive::read(&bytes).unwrap();
+        for name in archive.maps() {
+            let t0 = Instant::now();
+            let map = archive.map(name).unwrap();
+            let doom = plan_of_map(&map).unwrap();
+            let t1 = Instant::now();
+            let tree = divide(&doom.plan, &PlanMethod::default(), &Silent).unwrap();
+            let t2 = Instant::now();
+            let cells = cells_of_plan(&doom.plan, tree, false).unwrap();
+            let t3 = Instant::now();
+            let areas = DoomAreas::of(&doom, &cells);
+            let t4 = Instant::now();
+            println!(
+                "{name} sectors {} lines {} leaves {} portals {} depth {} areas {} ; {:?} {:?} {:?} {:?}",
+                map.sectors,
+                map.linedefs.len(),
+                cells.tree.leaves.len(),
+                cells.graph.portals.len(),
+                cells.tree.depth(),
+                areas.sectors.len(),
+                t1 - t0,
+                t2 - t1,
+                t3 - t2,
+                t4 - t3
+            );
+            for o in &areas.oddities {
+                if !matches!(o, DoomOddity::SelfReferencing { .. }) {
+                    println!("   {o:?}");
+                }
+            }
+        }
+    }
+}
