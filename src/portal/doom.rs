@@ -111,7 +111,7 @@ fn claim(
     is_left: bool,
     claims: &mut Claims,
 ) {
-    let mut void = None;
+    let mut void: Option<u32> = None;
     let mut is_sector = false;
     for &index in &boundary.segments {
         let segment = &doom.plan.segments[index as usize];
@@ -135,7 +135,7 @@ fn claim(
             }
             // A line without any sidedef says nothing.
             None if other.is_none() => {}
-            None => void = Some(segment.source),
+            None => void = Some(void.map_or(segment.source, |first| first.min(segment.source))),
         }
     }
     // Of lines back to back each has the other's sector where it has no side itself.

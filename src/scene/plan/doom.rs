@@ -5,10 +5,14 @@
 //! and all others are walls, whatever lies behind them. `docs/formats/wad.md` states the policy for
 //! each of the things in real levels that should not be; a [`DoomOddity`] names one of them.
 
+mod oddity;
+
 use super::{Plan, PlanError, RawPlan, RawSegment};
 use crate::formats::wad::{DoomMap, Linedef};
 use crate::num::Sign;
 use crate::predicates::compare_coordinates;
+
+pub use oddity::{AreaClaim, DoomOddity};
 
 /// A level as a plan.
 ///
@@ -49,70 +53,6 @@ impl LineSides {
     pub fn is_self_referencing(&self) -> bool {
         self.front.is_some() && self.front == self.back
     }
-}
-
-/// Something in a level that should not be. Lines are linedefs; all by number.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum DoomOddity {
-    /// A line with one end: left out.
-    ZeroLength {
-        /// The line.
-        line: u32,
-    },
-    /// A line without a sidedef on its right: a wall; one on its left counts.
-    NoFront {
-        /// The line.
-        line: u32,
-    },
-    /// A line whose flags say something else about its sides than its sidedefs: these count.
-    Flag {
-        /// The line.
-        line: u32,
-        /// Whether the flags say that it has two sides.
-        says_two_sided: bool,
-    },
-    /// A line with one sector on both sides: claims for that sector only what nothing else does.
-    SelfReferencing {
-        /// The line.
-        line: u32,
-        /// The sector.
-        sector: u32,
-    },
-    /// Two lines that have more than a point in common: a wall where one of them is.
-    Overlap {
-        /// The lines.
-        lines: [u32; 2],
-    },
-    /// Two lines that cross: divided there.
-    Crossing {
-        /// The lines.
-        lines: [u32; 2],
-    },
-    /// A line that begins or ends within another: the other is divided there.
-    Touching {
-        /// The other, and the line.
-        lines: [u32; 2],
-    },
-    /// An area, what can be reached without crossing a line, that several sectors claim, or
-    /// sectors and the void: part of each of these sectors.
-    Unclosed {
-        /// Who claims it, in ascending order.
-        claims: Vec<AreaClaim>,
-    },
-    /// A sector that no area is part of: sees nothing but itself.
-    NoArea {
-        /// The sector.
-        sector: u32,
-    },
-}
-
-/// What the side of a linedef says about the area that it faces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct AreaClaim {
-    /// The sector; none for the void.
-    pub sector: Option<u32>,
-    /// The first line that says so.
-    pub line: u32,
 }
 
 /// The plan of a level.
