@@ -71,7 +71,7 @@ pub(super) fn is_world(input: &Input) -> bool {
     match InputKind::of(&input.name, &input.bytes) {
         Ok(InputKind::Map | InputKind::Obj | InputKind::Gltf | InputKind::Geometry) => true,
         // Who reads it as a graph finds what is wrong with it.
-        Ok(InputKind::Graph) | Err(_) => false,
+        Ok(InputKind::Graph | InputKind::Plan) | Err(_) => false,
     }
 }
 

@@ -12,11 +12,14 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 mod geometry;
+mod plan;
 
 pub use geometry::{
     BrushShape, GeometryFile, SceneBrush, SceneObject, ScenePlane, ScenePoint, ScenePolygon,
     SceneSolid,
 };
+
+pub use plan::{PlanFile, PlanFileObject, PlanFilePortal, PlanGraphFile, PlanePoint};
 
 /// The name of the format.
 pub const SCENE_FORMAT: &str = "stabline-scene/1";
@@ -117,6 +120,10 @@ pub enum SceneKind {
     Graph,
     /// What stands in space: [`GeometryFile`].
     Geometry,
+    /// What stands in the plane: [`PlanFile`].
+    Plan,
+    /// Cells of the plane and segments between them: [`PlanGraphFile`].
+    PlanGraph,
 }
 
 impl SceneKind {
@@ -129,7 +136,10 @@ impl SceneKind {
         let own = |names: &[&'static str]| {
             names.iter().find_map(|&name| Some((name, *fields.get(name)?)))
         };
+        let portals = fields.get("portals").map_or("", |portals| portals.get());
         match (own(&["cells", "portals"]), own(&GeometryFile::OWN_FIELDS)) {
+            (None, _) if fields.contains_key("segments") => Ok(SceneKind::Plan),
+            (_, None) if PlanGraphFile::states_segments(portals) => Ok(SceneKind::PlanGraph),
             (_, None) => Ok(SceneKind::Graph),
             (None, Some(_)) => Ok(SceneKind::Geometry),
             (Some((of_graph, _)), Some((of_geometry, value))) => {
@@ -152,11 +162,13 @@ impl SceneKind {
         let mut generator = SchemaGenerator::default();
         let graph = generator.subschema_for::<SceneFile>();
         let geometry = generator.subschema_for::<GeometryFile>();
+        let plan = generator.subschema_for::<PlanFile>();
+        let plan_graph = generator.subschema_for::<PlanGraphFile>();
         let mut schema = json_schema!({
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": SCENE_FORMAT,
-            "description": "A scene: cells and portals, or what stands in space.",
-            "oneOf": [graph, geometry],
+            "description": "A scene: cells and portals, or what stands in space or in the plane.",
+            "oneOf": [graph, geometry, plan, plan_graph],
         });
         schema.insert("$defs".to_owned(), generator.take_definitions(true).into());
         schema.to_value()

@@ -1,5 +1,6 @@
 //! Any file that holds a portal graph, told apart by its first bytes.
 
+use super::plan::PlanError;
 use super::world::StatementError;
 use super::{PortalGraph, RawGraph, RawPortal, SceneError};
 use crate::formats::gltf::GltfError;
@@ -46,6 +47,15 @@ pub enum InputErrorKind {
     /// Geometry where a portal graph is asked for.
     #[error("the scene states geometry, but cells and portals are asked for")]
     NoGraph,
+    /// Two dimensions where three are asked for.
+    #[error("the scene lies in the plane, but one in space is asked for")]
+    InThePlane,
+    /// Three dimensions where two are asked for.
+    #[error("the scene lies in space, but a floorplan is asked for")]
+    InSpace,
+    /// A floorplan that breaks a rule.
+    #[error("{0}")]
+    Plan(Box<PlanError>),
     /// Not a JSON scene.
     #[error("{}", .0.without_line())]
     Json(SceneFileError),
@@ -87,6 +97,9 @@ impl InputError {
             | InputErrorKind::Gltf(_)
             | InputErrorKind::NoGeometry
             | InputErrorKind::NoGraph
+            | InputErrorKind::InThePlane
+            | InputErrorKind::InSpace
+            | InputErrorKind::Plan(_)
             | InputErrorKind::CellTwice { .. }
             | InputErrorKind::UnknownCell { .. } => None,
             InputErrorKind::Scene(error) => error.line,
@@ -105,8 +118,12 @@ pub fn read_graph(name: &str, bytes: &[u8]) -> Result<PortalGraph, InputError> {
     }
     let raw = if bytes.trim_ascii_start().first() == Some(&b'{') {
         let json = |e| error(InputErrorKind::Json(e));
-        if SceneKind::of(bytes).map_err(json)? == SceneKind::Geometry {
-            return Err(error(InputErrorKind::NoGraph));
+        match SceneKind::of(bytes).map_err(json)? {
+            SceneKind::Graph => {}
+            SceneKind::Geometry => return Err(error(InputErrorKind::NoGraph)),
+            SceneKind::Plan | SceneKind::PlanGraph => {
+                return Err(error(InputErrorKind::InThePlane));
+            }
         }
         let file = SceneFile::read(bytes).map_err(json)?;
         named_cells(file).map_err(error)?

@@ -6,10 +6,12 @@
 
 mod doom;
 mod graph;
+mod read;
 mod stated;
 
 pub use doom::{AreaClaim, DoomOddity, DoomPlan, LineSides, plan_of_map};
 pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal};
+pub use read::{PlanInput, read_plan};
 pub use stated::{
     Plan, PlanError, PlanErrorKind, PlanObject, PlanRepairs, PlanSegment, RawPlan, RawSegment,
 };

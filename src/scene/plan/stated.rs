@@ -98,6 +98,12 @@ pub enum PlanErrorKind {
     /// An object that is no convex polygon.
     #[error("expected three or more corners of a convex polygon, in order")]
     NotConvex,
+    /// A portal between a cell and itself.
+    #[error("joins a cell with itself, expected two cells")]
+    SameCell,
+    /// A portal of no length.
+    #[error("both ends are one point")]
+    OneEnd,
     /// A coordinate off the declared grid.
     #[error("coordinate {got} is not a multiple of the declared grid unit 1/{grid}")]
     OffGrid {
@@ -175,8 +181,17 @@ fn grid_of(raw: &RawPlan) -> Result<Int, PlanError> {
     let inside = raw.inside.iter().enumerate().map(|(i, point)| ("inside", i, point));
     let objects = raw.objects.iter().enumerate();
     let objects = objects.flat_map(|(i, (_, all))| all.iter().map(move |p| ("objects", i, p)));
-    let mut common = raw.declared_grid.clone().unwrap_or_else(|| Int::from(1));
-    for (field, index, point) in segments.chain(view).chain(inside).chain(objects) {
+    common_grid(raw.declared_grid.as_ref(), segments.chain(view).chain(inside).chain(objects))
+}
+
+/// The lowest common denominator of points, each with the field and the index that state it, or
+/// the declared one.
+pub(super) fn common_grid<'a>(
+    declared: Option<&Int>,
+    points: impl Iterator<Item = (&'static str, usize, &'a [Number; 2])>,
+) -> Result<Int, PlanError> {
+    let mut common = declared.cloned().unwrap_or_else(|| Int::from(1));
+    for (field, index, point) in points {
         let error = |kind| PlanError { place: format!("{field}[{index}]"), kind };
         for number in point {
             let fits = match number {
@@ -187,7 +202,7 @@ fn grid_of(raw: &RawPlan) -> Result<Int, PlanError> {
             if fits {
                 continue;
             }
-            if let Some(grid) = &raw.declared_grid {
+            if let Some(grid) = declared {
                 let (got, grid) = (number.clone(), grid.clone());
                 return Err(error(PlanErrorKind::OffGrid { got, grid }));
             }
@@ -201,18 +216,18 @@ fn grid_of(raw: &RawPlan) -> Result<Int, PlanError> {
 }
 
 /// From world units to grid units.
-struct Scale {
+pub(super) struct Scale {
     grid: Rational,
     /// The same, where it fits.
     short: Option<i64>,
 }
 
 impl Scale {
-    fn of(grid: &Int) -> Scale {
+    pub(super) fn of(grid: &Int) -> Scale {
         Scale { grid: Rational::from(grid.clone()), short: grid.to_i64() }
     }
 
-    fn point(&self, point: &[Number; 2]) -> PlanPoint {
+    pub(super) fn point(&self, point: &[Number; 2]) -> PlanPoint {
         let short = |number: &Number| match (number, self.short) {
             (Number::Small(p, q), Some(grid)) if grid % q == 0 => p.checked_mul(grid / q),
             _ => None,

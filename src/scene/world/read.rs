@@ -29,6 +29,8 @@ pub enum InputKind {
     Geometry,
     /// What states cells and portals, or is none of these.
     Graph,
+    /// A JSON scene that states a floorplan, or cells of the plane.
+    Plan,
 }
 
 impl InputKind {
@@ -54,6 +56,7 @@ impl InputKind {
         match SceneKind::of(bytes) {
             Ok(SceneKind::Graph) => Ok(InputKind::Graph),
             Ok(SceneKind::Geometry) => Ok(InputKind::Geometry),
+            Ok(SceneKind::Plan | SceneKind::PlanGraph) => Ok(InputKind::Plan),
             Err(error) => {
                 Err(InputError { name: name.to_owned(), kind: InputErrorKind::Json(error) })
             }
@@ -121,6 +124,7 @@ pub fn read_world_with(
             geometry::world_of(&file, options.snap)
         }
         InputKind::Graph => return Err(error(InputErrorKind::NoGeometry)),
+        InputKind::Plan => return Err(error(InputErrorKind::InThePlane)),
     };
     world.map_err(|e| error(InputErrorKind::Statement(Box::new(e))))
 }
