@@ -4,26 +4,14 @@ mod support;
 
 use proptest::prelude::*;
 use stabline::formats::wad::{Archive, DoomMap, MapForm};
-use stabline::num::{Int, Sign};
-use stabline::portal::doom::DoomAreas;
-use stabline::portal::plan::{PlanCells, cells_of_plan};
-use stabline::predicates::{PlanPoint, turn_of_points};
-use stabline::report::Silent;
+use stabline::num::Int;
+use stabline::predicates::PlanPoint;
 use stabline::scene::plan::{DoomPlan, plan_of_map};
-use stabline::subdivision::plan::{PlanMethod, divide};
-use support::wads::{Level, Line, two_rooms};
+use support::wads::{Level, Line, divided, faced, half_point, two_rooms};
 
 fn map_of(level: &Level) -> DoomMap {
     let bytes = level.archive("MAP01", MapForm::Doom);
     Archive::read(&bytes).unwrap().map("MAP01").unwrap()
-}
-
-fn divided(map: &DoomMap) -> (DoomPlan, PlanCells, DoomAreas) {
-    let doom = plan_of_map(map).unwrap();
-    let tree = divide(&doom.plan, &PlanMethod::default(), &Silent).unwrap();
-    let cells = cells_of_plan(&doom.plan, tree, false).unwrap();
-    let areas = DoomAreas::of(&doom, &cells);
-    (doom, cells, areas)
 }
 
 /// The oddities of a level, as text.
@@ -164,31 +152,6 @@ fn a_level_without_lines_is_an_error() {
     assert_eq!(error(&level), expected);
 }
 
-/// The sector that the first line to the right of a point faces it with, by brute force: `None`
-/// for the void or nothing at all. Requires: no vertex has the y of the point.
-fn faced(map: &DoomMap, doom: &DoomPlan, at: &PlanPoint) -> Option<u32> {
-    let corner = |vertex: u32| {
-        let [x, y] = map.vertices[vertex as usize].each_ref().map(|c| c.to_rational());
-        PlanPoint::from_coordinates(&[x, y])
-    };
-    let (x, y) = (&at.coordinates()[0], &at.coordinates()[1]);
-    let hits = map.linedefs.iter().zip(&doom.lines).filter_map(|(line, sides)| {
-        let (start, end) = (corner(line.start), corner(line.end));
-        let [[x0, y0], [x1, y1]] = [start.coordinates(), end.coordinates()];
-        if (y0 < *y) == (y1 < *y) {
-            return None;
-        }
-        let meet = &x0 + (&x1 - &x0) * (y - &y0) / (&y1 - &y0);
-        let side = match turn_of_points(&start, &end, at) {
-            Sign::Positive => sides.back,
-            Sign::Negative => sides.front,
-            Sign::Zero => None,
-        };
-        (meet > *x).then_some((meet, side))
-    });
-    hits.min_by(|(meet, _), (other, _)| meet.cmp(other)).and_then(|(_, side)| side)
-}
-
 /// A level of rooms on the squares of a board; neighbours of one sector have no line between them.
 fn board(sectors: &[[Option<u16>; 4]; 4]) -> Level {
     let mut level = Level::default();
@@ -222,9 +185,10 @@ proptest! {
         let map = map_of(&level);
         let (doom, cells, areas) = divided(&map);
         for (x, y) in (0..4).flat_map(|x| (0..4).map(move |y| (x, y))) {
-            let at = point([16 * x as i64 + 3, 16 * y as i64 + 5]);
+            let doubled = [32 * x as i64 + 7, 32 * y as i64 + 11];
+            let at = half_point(doubled);
             let expected = sectors[y][x].map(u32::from);
-            prop_assert_eq!(faced(&map, &doom, &at), expected);
+            prop_assert_eq!(faced(&map, &doom, doubled), expected);
             let inside = at.coordinates().iter().zip(bounds(&doom)).all(|(c, [low, high])| {
                 *c > low && *c < high
             });

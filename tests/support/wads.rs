@@ -1,6 +1,14 @@
 //! Small Doom levels: their geometry by lines, and their bytes in each form.
 
-use stabline::formats::wad::MapForm;
+use stabline::formats::wad::{DoomMap, MapForm};
+use stabline::num::{Int, Number};
+use stabline::portal::doom::DoomAreas;
+use stabline::portal::plan::{PlanCells, cells_of_plan};
+use stabline::predicates::PlanPoint;
+use stabline::report::Silent;
+use stabline::scene::plan::{DoomPlan, plan_of_map};
+use stabline::subdivision::plan::{PlanMethod, divide};
+use std::path::PathBuf;
 
 /// A map, built line by line.
 #[derive(Clone, Debug, Default)]
@@ -145,4 +153,58 @@ pub fn two_rooms() -> Level {
     level.line([128, 128], [128, 0], Some(0), Some(1));
     level.reject = Some(vec![0b0110]);
     level
+}
+
+/// A map as a plan, divided, and the sectors of its leaves.
+pub fn divided(map: &DoomMap) -> (DoomPlan, PlanCells, DoomAreas) {
+    let doom = plan_of_map(map).unwrap();
+    let tree = divide(&doom.plan, &PlanMethod::default(), &Silent).unwrap();
+    let cells = cells_of_plan(&doom.plan, tree, false).unwrap();
+    let areas = DoomAreas::of(&doom, &cells);
+    (doom, cells, areas)
+}
+
+/// The point with half of these coordinates.
+pub fn half_point([x, y]: [i64; 2]) -> PlanPoint {
+    PlanPoint::new([Int::from(x), Int::from(y), Int::from(2)])
+}
+
+/// The sector that the first line to the right of a point faces it with, by brute force: `None`
+/// for the void or nothing at all. The coordinates are halves, odd, and those of the map whole.
+pub fn faced(map: &DoomMap, doom: &DoomPlan, [x, y]: [i64; 2]) -> Option<u32> {
+    let doubled = |vertex: u32| {
+        map.vertices[vertex as usize].each_ref().map(|number| match number {
+            Number::Small(c, 1) => i128::from(2 * c),
+            other => panic!("{other:?} is not whole"),
+        })
+    };
+    let (x, y) = (i128::from(x), i128::from(y));
+    // How far to the right each line is met, as a ratio with a positive denominator.
+    let hits = map.linedefs.iter().zip(&doom.lines).filter_map(|(line, sides)| {
+        let ([x0, y0], [x1, y1]) = (doubled(line.start), doubled(line.end));
+        if (y0 < y) == (y1 < y) {
+            return None;
+        }
+        let ahead = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0);
+        // A line that goes up has its front on the right, and the point left of it.
+        let (distance, side) = if y0 < y1 { (ahead, sides.back) } else { (-ahead, sides.front) };
+        (distance > 0).then_some(([distance, (y1 - y0).abs()], side))
+    });
+    let nearer = |[p, q]: &[i128; 2], [r, s]: &[i128; 2]| (p * s).cmp(&(r * q));
+    hits.min_by(|(one, _), (other, _)| nearer(one, other)).and_then(|(_, side)| side)
+}
+
+/// The two archives of Freedoom, where they are installed: in the folder that `STABLINE_FREEDOOM`
+/// names, else where the Debian package puts them.
+pub fn freedoom() -> Option<[Vec<u8>; 2]> {
+    let named = std::env::var_os("STABLINE_FREEDOOM").map(PathBuf::from);
+    let folder = named.unwrap_or_else(|| PathBuf::from("/usr/share/games/doom"));
+    let read = |name: &str| std::fs::read(folder.join(name)).ok();
+    match (read("freedoom1.wad"), read("freedoom2.wad")) {
+        (Some(first), Some(second)) => Some([first, second]),
+        _ => {
+            eprintln!("skipped: no freedoom1.wad and freedoom2.wad in {}", folder.display());
+            None
+        }
+    }
 }
