@@ -33,6 +33,34 @@ fn main() {
                 t3 - t2,
                 t4 - t3
             );
+            let cover = stabline::pvs::plan::Cover::new(
+                doom.sectors,
+                (0..cells.tree.leaves.len() as u32).map(|l| areas.sectors_of_leaf(l)),
+            );
+            let crossings = cells.graph.crossings();
+            let m =
+                stabline::pvs::plan::plan_matrix(&cells.graph, &crossings, cover.groups(), &Silent)
+                    .unwrap();
+            let m = cover.matrix(m);
+            let t5 = Instant::now();
+            let rj = stabline::formats::wad::RejectTable::read(
+                &map.reject.clone().unwrap(),
+                map.sectors,
+            )
+            .unwrap();
+            let (mut holes, mut waste) = (0, 0);
+            for a in 0..map.sectors {
+                for b in 0..map.sectors {
+                    let open = m.get(a, b) == stabline::report::Verdict::Open;
+                    if open && rj.rejects(a, b) {
+                        holes += 1;
+                    }
+                    if !open && !rj.rejects(a, b) {
+                        waste += 1;
+                    }
+                }
+            }
+            println!("     pvs {:?} open {} holes {holes} waste {waste}", t5 - t4, m.counts().open);
             for o in &areas.oddities {
                 if !matches!(o, DoomOddity::SelfReferencing { .. }) {
                     println!("   {o:?}");

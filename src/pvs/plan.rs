@@ -17,6 +17,7 @@
 //! which the least vertex wins, so the result does not depend on them.
 
 mod around;
+mod cover;
 mod groups;
 mod line;
 mod sweep;
@@ -25,5 +26,6 @@ mod tests;
 mod view;
 mod witness;
 
+pub use cover::Cover;
 pub use groups::Groups;
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
