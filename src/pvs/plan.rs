@@ -18,6 +18,7 @@
 
 mod around;
 mod cover;
+mod grazing;
 mod groups;
 mod line;
 mod sweep;
@@ -27,5 +28,6 @@ mod view;
 mod witness;
 
 pub use cover::Cover;
+pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
 pub use sweep::{PlanSight, plan_matrix, plan_sights};

@@ -6,7 +6,7 @@ use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
 use super::{Args, CellsArg, on_threads};
-use crate::pvs::plan::{Groups, PlanSight, plan_matrix, plan_sights};
+use crate::pvs::plan::{Cover, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
 use crate::scene::plan::PlanGraph;
@@ -22,19 +22,16 @@ pub(super) fn run(
     super::refuse_doom_options(args, input.map.is_some())?;
     let planar = on_threads(args, |watch| plan::read(input, &args.plan, watch))??;
     clock.lap("read");
+    if args.grazing && matches!(planar, Planar::Graph(_)) {
+        return Err(Failure::usage(
+            "--grazing: the graph states no polygons of its cells; expected a floorplan",
+        ));
+    }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
-    let found = on_threads(args, |watch| match (&planar, sectors_asked(args, &planar)) {
-        (Planar::Graph(graph), _) => search(graph, watch),
-        (planar, None) => {
-            let groups = Groups::cells(planar.graph().cells.len());
-            let (matrix, sights) = sweep(planar.graph(), &groups, wants_witnesses, watch)?;
-            Some((matrix, sights.into_iter().map(witness).collect()))
-        }
-        (planar, Some(level)) => {
-            let (graph, cover) = (planar.graph(), level.cover());
-            let (matrix, sights) = sweep(graph, cover.groups(), wants_witnesses, watch)?;
-            let sights = cover.sights(graph, sights);
-            Some((cover.matrix(matrix), sights.into_iter().map(witness).collect()))
+    let found = on_threads(args, |watch| match &planar {
+        Planar::Graph(graph) => search(graph, watch),
+        Planar::Divided { .. } => {
+            sweep(args, planar.graph(), &cover(args, &planar), wants_witnesses, watch)
         }
     })?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
@@ -47,7 +44,7 @@ pub(super) fn run(
         program: PvsReport::this_program(),
         input: InputId::new(&input.file_name(), &input.bytes),
         reading: reading(args),
-        grazing_classified: false,
+        grazing_classified: args.grazing,
         leaf_to_cell: (0..cells.len() as u32).collect(),
         cells,
         skew_portals: 0,
@@ -69,6 +66,14 @@ pub(super) fn run(
 /// The Doom level whose sectors are asked about, if they are.
 fn sectors_asked<'p>(args: &Args, planar: &'p Planar) -> Option<&'p DoomLevel> {
     planar.level().filter(|_| args.cells == CellsArg::Sectors)
+}
+
+/// What is asked about: the sectors of a level, or the cells.
+fn cover(args: &Args, planar: &Planar) -> Cover {
+    match sectors_asked(args, planar) {
+        Some(level) => level.cover(),
+        None => Cover::cells(planar.graph().cells.len()),
+    }
 }
 
 /// The options that are not the default, as they are written.
@@ -115,16 +120,22 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
 type Found = Option<(Matrix, Vec<PairWitness>)>;
 
 fn sweep(
+    args: &Args,
     graph: &PlanGraph,
-    groups: &Groups,
+    cover: &Cover,
     wants_witnesses: bool,
     progress: &dyn Progress,
-) -> Option<(Matrix, Vec<PlanSight>)> {
-    let crossings = graph.crossings();
-    match wants_witnesses {
-        true => plan_sights(graph, &crossings, groups, progress),
-        false => Some((plan_matrix(graph, &crossings, groups, progress)?, Vec::new())),
+) -> Found {
+    let (crossings, groups) = (graph.crossings(), cover.groups());
+    let (mut matrix, sights) = match wants_witnesses {
+        true => plan_sights(graph, &crossings, groups, progress)?,
+        false => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
+    };
+    if args.grazing {
+        classify_plan_grazing(graph, &crossings, groups, &mut matrix, progress)?;
     }
+    let sights = if wants_witnesses { cover.sights(graph, sights) } else { sights };
+    Some((cover.matrix(matrix), sights.into_iter().map(witness).collect()))
 }
 
 fn witness(sight: PlanSight) -> PairWitness {

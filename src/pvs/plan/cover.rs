@@ -39,6 +39,12 @@ impl Cover {
         Cover { sets: count, groups: Groups::new(sets_of_group.len(), of_cell), sets_of_group }
     }
 
+    /// Each cell a set of its own.
+    pub fn cells(count: usize) -> Cover {
+        let sets_of_group = (0..count as u32).map(|cell| vec![cell]).collect();
+        Cover { sets: count, groups: Groups::cells(count), sets_of_group }
+    }
+
     /// The groups that the sweep is to ask about.
     pub fn groups(&self) -> &Groups {
         &self.groups
