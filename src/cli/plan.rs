@@ -1,5 +1,6 @@
 //! Inputs of two dimensions: floorplans, divided on the way, and graphs of the plane.
 
+use super::doom::{self, DoomLevel};
 use super::exit::Failure;
 use super::files::Input;
 use crate::portal::plan::{PlanCells, cells_of_plan};
@@ -13,7 +14,7 @@ use crate::subdivision::plan::{PlanMethod, divide};
 pub(super) struct PlanArgs {}
 
 impl PlanArgs {
-    fn method(&self) -> PlanMethod {
+    pub(super) fn method(&self) -> PlanMethod {
         PlanMethod::Bsp
     }
 
@@ -31,12 +32,22 @@ pub(super) enum Planar {
         plan: Box<Plan>,
         /// Its cells.
         cells: Box<PlanCells>,
+        /// What else it is, if it is a Doom level.
+        level: Option<Box<DoomLevel>>,
     },
     /// A graph, as it is stated.
     Graph(Box<PlanGraph>),
 }
 
 impl Planar {
+    /// What else a Doom level is.
+    pub(super) fn level(&self) -> Option<&DoomLevel> {
+        match self {
+            Planar::Divided { level, .. } => level.as_deref(),
+            Planar::Graph(_) => None,
+        }
+    }
+
     /// Its cells and portals.
     pub(super) fn graph(&self) -> &PlanGraph {
         match self {
@@ -61,6 +72,11 @@ pub(super) fn read(
     args: &PlanArgs,
     progress: &dyn Progress,
 ) -> Result<Planar, Failure> {
+    if input.map.is_some() {
+        let (plan, cells, level) = doom::read(input, args, progress)?;
+        let level = Some(Box::new(level));
+        return Ok(Planar::Divided { plan: Box::new(plan), cells: Box::new(cells), level });
+    }
     match read_plan(&input.name, &input.bytes)? {
         PlanInput::Graph(graph) => Ok(Planar::Graph(graph)),
         PlanInput::Plan(plan) => {
@@ -69,7 +85,7 @@ pub(super) fn read(
             let cells = cells_of_plan(&plan, tree, !plan.has_view)
                 .map_err(|error| Failure::file(&input.name, error))?;
             report_oddities(input, &plan, &cells);
-            Ok(Planar::Divided { plan, cells: Box::new(cells) })
+            Ok(Planar::Divided { plan, cells: Box::new(cells), level: None })
         }
     }
 }

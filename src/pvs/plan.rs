@@ -17,6 +17,7 @@
 //! which the least vertex wins, so the result does not depend on them.
 
 mod around;
+mod cover;
 mod grazing;
 mod groups;
 mod line;
@@ -26,6 +27,7 @@ mod tests;
 mod view;
 mod witness;
 
+pub use cover::Cover;
 pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
