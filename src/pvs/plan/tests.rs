@@ -66,7 +66,7 @@ fn compare(segments: &[[[i64; 2]; 2]]) -> (u64, u64) {
     let graph = &cells.graph;
     let crossings = graph.crossings();
     let groups = Groups::cells(graph.cells.len());
-    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &Silent).unwrap();
+    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &|_, _| true, &Silent).unwrap();
     assert_eq!(matrix, plan_matrix(graph, &crossings, &groups, &Silent).unwrap());
     check_sights(graph, &groups, &matrix, &sights);
     let expected = matrix_in_space(graph);
