@@ -14,7 +14,8 @@ mod pvs;
 mod sequence;
 mod world;
 
-pub use families::{Family, Random, sequence, sequence_2d};
+pub use crate::num::Random;
+pub use families::{Family, sequence, sequence_2d};
 pub use motion::first_contact;
 pub use overlap::overlap;
 pub use plane::{PlaneTruth, classify_2d};
