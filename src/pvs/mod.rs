@@ -25,6 +25,7 @@ mod grid;
 mod objects;
 mod obstacle;
 mod part;
+pub mod plan;
 mod propose;
 mod run;
 mod search;
