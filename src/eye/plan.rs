@@ -16,14 +16,18 @@
 //! ([`PlanTree::left_inside`](crate::subdivision::plan::PlanTree)) hides nothing.
 
 mod cone;
+mod cull;
 mod place;
 mod region;
 mod search;
+mod walk;
 
 pub use cone::ViewCone;
+pub use cull::{CellSight, PlanCull, TreeVertex};
 pub use place::{PlanPlace, PlanPlaceError};
 pub use region::PlanRegion;
 pub use search::{PlanSeen, PlanSequences, PlanView};
+pub use walk::{PlanStep, PlanWay, Prefetch, Walk, prefetch};
 
 use crate::portal::plan::PlanCells;
 use crate::predicates::PlanPoint;

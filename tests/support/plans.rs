@@ -1,5 +1,7 @@
 //! Random floorplans with every kind of degeneracy, and points to look from.
 
+use num_traits::Zero;
+use stabline::eye::plan::ViewCone;
 use stabline::num::{Number, Rational};
 use stabline::oracle::Random;
 use stabline::portal::plan::{PlanCells, cells_of_plan};
@@ -82,24 +84,29 @@ pub fn walls(kind: Kind, random: &mut Random) -> Vec<[Point; 2]> {
 
 /// A plan of these walls in a box around them, or in one that cuts them, with its cells.
 pub fn plan(kind: Kind, walls: &[[Point; 2]], random: &mut Random) -> Option<(Plan, PlanCells)> {
-    let number = |point: &Point| point.clone().map(Number::from);
-    let opaque =
-        |ends: &[Point; 2]| RawSegment { ends: ends.each_ref().map(number), is_opaque: true };
     let corner = |x: i64| [ratio(x * unit(kind), 1), ratio(x * unit(kind), 1)];
     let view = match random.between(1, 3) {
         1 => None,
         2 => Some([corner(-1), corner(14)]),
         _ => Some([corner(2), corner(11)]),
     };
+    (!walls.is_empty()).then(|| divided(walls, view))
+}
+
+/// A plan of these walls, with its cells.
+pub fn divided(walls: &[[Point; 2]], view: Option<[Point; 2]>) -> (Plan, PlanCells) {
+    let number = |point: &Point| point.clone().map(Number::from);
+    let opaque =
+        |ends: &[Point; 2]| RawSegment { ends: ends.each_ref().map(number), is_opaque: true };
     let raw = RawPlan {
         segments: walls.iter().map(opaque).collect(),
         view: view.map(|view| view.each_ref().map(number)),
         ..RawPlan::default()
     };
-    let plan = Plan::from_raw(&raw).ok()?;
+    let plan = Plan::from_raw(&raw).unwrap();
     let tree = divide(&plan, &PlanMethod::default(), &Silent).unwrap();
     let cells = cells_of_plan(&plan, tree, false).unwrap();
-    Some((plan, cells))
+    (plan, cells)
 }
 
 /// A point to look from: on the lattice, off it, or on a portal of the plan.
@@ -120,6 +127,18 @@ pub fn eye(kind: Kind, plan: &Plan, cells: &PlanCells, random: &mut Random) -> P
         }
         _ => [ratio(6 * unit(kind), 1), ratio(5 * unit(kind), 1)],
     }
+}
+
+/// A view cone of some direction and angle.
+pub fn cone(random: &mut Random) -> ViewCone {
+    let look = loop {
+        let look = [(); 2].map(|()| ratio(random.between(-3, 3), 1));
+        if !look.iter().all(Zero::is_zero) {
+            break look;
+        }
+    };
+    let halves = [ratio(1, 1), ratio(1, 3), ratio(5, 2), ratio(1, 50), ratio(1000, 7)];
+    ViewCone::new(&look, &halves[random.between(0, 4) as usize]).unwrap()
 }
 
 pub fn ratio(p: i64, q: i64) -> Rational {

@@ -161,7 +161,7 @@ impl EyePlan<'_> {
 }
 
 /// Whether a point on the line through `p` and `q` lies between them, themselves included.
-fn is_between(p: &PlanPoint, q: &PlanPoint, point: &PlanPoint) -> bool {
+pub(super) fn is_between(p: &PlanPoint, q: &PlanPoint, point: &PlanPoint) -> bool {
     [0, 1].into_iter().all(|axis| {
         let [from, to] = [p, q].map(|end| compare_coordinates(axis, end, point));
         from == Ordering::Equal || from != to

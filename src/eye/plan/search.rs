@@ -10,10 +10,10 @@
 //! The wedges of two sequences, neither of which begins the other, are disjoint, so the search does
 //! no more than it finds: O(s·p) turns for s sequences and p portals a cell.
 
-use super::cone::{Wedge, turn};
+use super::cone::Wedge;
 use super::region::{PlanRegion, doubled_area, part_around, part_behind};
 use super::{EyePlan, PlanPlace, ViewCone};
-use crate::num::{Int, Rational, Sign, sum};
+use crate::num::{Int, Rational, sum};
 use crate::predicates::PlanPoint;
 use crate::scene::CellId;
 
@@ -161,20 +161,5 @@ impl<'a> PlanView<'a> {
         cells.sort_unstable();
         cells.dedup();
         cells
-    }
-
-    /// The directions of a convex polygon's inside; none for an eye in the closed polygon.
-    pub(super) fn outline<'p>(&self, polygon: &[&'p PlanPoint]) -> Option<Wedge<'p>> {
-        let eye = &self.place.eye;
-        let (mut right, mut left) = (*polygon.first()?, *polygon.first()?);
-        for &corner in polygon {
-            if turn(eye, right, corner) == Sign::Negative {
-                right = corner;
-            }
-            if turn(eye, left, corner) == Sign::Positive {
-                left = corner;
-            }
-        }
-        Wedge::between(eye, right, left)
     }
 }
