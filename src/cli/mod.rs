@@ -17,6 +17,7 @@ mod interrupt;
 mod meshes;
 mod motion;
 mod numbers;
+mod plan;
 mod progress;
 mod pvs;
 mod schema;
