@@ -17,6 +17,8 @@
 //! which the least vertex wins, so the result does not depend on them.
 
 mod around;
+mod cover;
+mod grazing;
 mod groups;
 mod line;
 mod sweep;
@@ -25,5 +27,7 @@ mod tests;
 mod view;
 mod witness;
 
+pub use cover::Cover;
+pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
