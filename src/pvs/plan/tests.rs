@@ -9,7 +9,7 @@ use crate::scene::plan::{Plan, PlanGraph, RawPlan, RawSegment};
 use crate::subdivision::plan::{PlanMethod, divide};
 use num_traits::{Signed, Zero};
 
-fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
+pub(super) fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     let number = |c: i64| Number::Small(c, 1);
     let segments = segments
         .iter()
@@ -17,7 +17,7 @@ fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     Plan::from_raw(&RawPlan { segments: segments.collect(), ..RawPlan::default() }).unwrap()
 }
 
-fn cells(plan: &Plan) -> PlanCells {
+pub(super) fn cells(plan: &Plan) -> PlanCells {
     let tree = divide(plan, &PlanMethod::Bsp, &Silent).unwrap();
     cells_of_plan(plan, tree, false).unwrap()
 }
