@@ -1,0 +1,22 @@
+//! Pictures of floorplans and of what is seen in them, as SVG (after the figures of Teller and
+//! Séquin 1991).
+//!
+//! Pictures are for people: coordinates are moved and scaled exactly and then rounded, to a
+//! hundredth of a picture's unit, and nothing is read back from them. The same input gives the same
+//! bytes on every machine: only sums, products, quotients and square roots of floats are used.
+//!
+//! [`Floor`] holds what every picture is drawn upon, [`Sheet`] is the paper with a title and a
+//! legend; each picture is one function from the two, and of what it shows, to the text of a file.
+
+mod cells;
+mod floor;
+mod frame;
+mod palette;
+mod sheet;
+mod svg;
+
+pub use cells::draw_cells;
+pub use floor::{Floor, Pens};
+pub use frame::Frame;
+pub use sheet::{DEFAULT_WIDTH, LEAST_WIDTH, Sample, Sheet, SheetOptions};
+pub use svg::{Place, Svg};
