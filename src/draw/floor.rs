@@ -125,6 +125,11 @@ impl Floor {
         }
     }
 
+    /// The name of a cell.
+    pub fn name(&self, cell: CellId) -> &str {
+        &self.names[cell.0 as usize]
+    }
+
     /// The corners of a cell.
     pub fn outline(&self, cell: CellId) -> &[Place] {
         &self.outlines[cell.0 as usize]

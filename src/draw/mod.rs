@@ -9,14 +9,24 @@
 //! legend; each picture is one function from the two, and of what it shows, to the text of a file.
 
 mod cells;
+mod eye;
 mod floor;
 mod frame;
 mod palette;
+mod sequence;
 mod sheet;
+mod splits;
 mod svg;
+mod tree;
+mod visibility;
 
 pub use cells::draw_cells;
+pub use eye::{EyeDrawing, draw_eye};
 pub use floor::{Floor, Pens};
-pub use frame::Frame;
+pub use frame::{Frame, Ray};
+pub use sequence::{SequenceLine, draw_sequence};
 pub use sheet::{DEFAULT_WIDTH, LEAST_WIDTH, Sample, Sheet, SheetOptions};
+pub use splits::draw_splits;
 pub use svg::{Place, Svg};
+pub use tree::{TreeNode, draw_stab_tree, draw_tree_graph};
+pub use visibility::{Sightline, draw_visibility};

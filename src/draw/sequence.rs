@@ -1,0 +1,124 @@
+//! A sequence of segments with the hulls of its left and of its right ends, and a line that parts
+//! them (Teller and Séquin 1991, figure 6).
+
+use super::floor::stroke;
+use super::frame::box_around;
+use super::palette;
+use super::sheet::{Sample, Sheet, SheetOptions};
+use super::svg::{Place, number};
+use crate::num::{Rational, Sign};
+use crate::predicates::{PlanPoint, compare_coordinates, turn_of_points};
+
+/// How a line and a sequence are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SequenceLine {
+    /// It passes strictly inside each portal; two points of it.
+    Stabbing([[Rational; 2]; 2]),
+    /// It meets each closed portal, and no line does more.
+    Touching([[Rational; 2]; 2]),
+    /// There is none.
+    Blocked,
+}
+
+/// Draws segments, each with its left and its right end, in the order of the sequence; the hulls
+/// of all left and of all right ends, which a stabbing line parts; and the line.
+pub fn draw_sequence(
+    portals: &[[PlanPoint; 2]],
+    line: &SequenceLine,
+    options: &SheetOptions,
+) -> String {
+    let unit = || [Rational::from_integer(0.into()), Rational::from_integer(1.into())];
+    let bounds = box_around(portals.iter().flatten()).unwrap_or_else(|| [unit(), unit()]);
+    let mut sheet = Sheet::new(widened(bounds), options);
+    let width = sheet.width() / 300.0;
+    let sides = [(0, palette::GRAPH, "left ends"), (1, palette::SIGHT, "right ends")];
+    for (side, colour, _) in sides {
+        let hull = hull(portals.iter().map(|portal| &portal[side]));
+        let hull: Vec<Place> = hull.iter().map(|corner| sheet.frame.place_point(corner)).collect();
+        let hair = number(width / 3.0);
+        let style = [
+            ("fill", colour),
+            ("fill-opacity", "0.15"),
+            ("stroke", colour),
+            ("stroke-width", hair.as_str()),
+        ];
+        sheet.svg.group(&style, |svg| svg.outlines([hull.as_slice()]));
+    }
+    let segments: Vec<[Place; 2]> = portals
+        .iter()
+        .map(|portal| portal.each_ref().map(|end| sheet.frame.place_point(end)))
+        .collect();
+    stroke(&mut sheet.svg, (palette::WALL, width, ""), &segments);
+    sheet.explain(Sample::Line(palette::WALL, width, ""), "portal, numbered in its order");
+    let [[x0, y0], [x1, y1]] = sheet.drawing();
+    let paper = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
+    let (points, dashes, text) = match line {
+        SequenceLine::Stabbing(points) => (Some(points), "", "stabbing line"),
+        SequenceLine::Touching(points) => (Some(points), "6 4", "touching line"),
+        SequenceLine::Blocked => (None, "", ""),
+    };
+    let ray = points.and_then(|points| sheet.frame.ray(points));
+    if let Some((ray, ends)) = ray.and_then(|ray| Some((ray, ray.within(&paper)?))) {
+        let [from, to] = ends.map(|end| ray.at(end));
+        stroke(&mut sheet.svg, (palette::EYE, 0.7 * width, dashes), &[[from, to]]);
+        sheet.explain(Sample::Line(palette::EYE, 0.7 * width, dashes), text);
+    }
+    for (side, colour, text) in sides {
+        sheet.svg.group(&[("fill", colour)], |svg| {
+            segments.iter().for_each(|ends| svg.circle(ends[side], 1.6 * width));
+        });
+        sheet.explain(Sample::Dot(colour), text);
+    }
+    number_portals(&mut sheet, &segments);
+    sheet.finish()
+}
+
+/// A box that is a tenth wider on each side, and not thinner than a fifth of its length.
+fn widened([low, high]: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {
+    let extents = [0, 1].map(|axis| &high[axis] - &low[axis]);
+    let longer = extents[0].clone().max(extents[1].clone());
+    let tenth = longer / Rational::from_integer(10.into());
+    [low.map(|c| c - &tenth), high.map(|c| c + &tenth)]
+}
+
+/// The number of each portal beside its left end, away from its right one.
+fn number_portals(sheet: &mut Sheet, segments: &[[Place; 2]]) {
+    let font = sheet.font();
+    let size = number(font);
+    let style = [("fill", palette::TEXT), ("font-size", &size), ("text-anchor", "middle")];
+    sheet.svg.group(&style, |svg| {
+        for (index, [left, right]) in segments.iter().enumerate() {
+            let away = [left[0] - right[0], left[1] - right[1]];
+            let length = (away[0] * away[0] + away[1] * away[1]).sqrt();
+            let [x, y] = [0, 1].map(|i| left[i] + 1.1 * font * away[i] / length.max(1.0));
+            svg.text([x, y + 0.35 * font], &(index + 1).to_string());
+        }
+    });
+}
+
+/// The convex hull, counter-clockwise; a point or two where all are in line.
+fn hull<'a>(points: impl Iterator<Item = &'a PlanPoint>) -> Vec<&'a PlanPoint> {
+    let mut points: Vec<&PlanPoint> = points.collect();
+    points.sort_by(|a, b| compare_coordinates(0, a, b).then(compare_coordinates(1, a, b)));
+    points.dedup();
+    let chain = |points: &mut dyn Iterator<Item = &'a PlanPoint>| {
+        let mut chain: Vec<&PlanPoint> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain[..] {
+                match turn_of_points(a, b, point) {
+                    Sign::Positive => break,
+                    // In line: the middle one is no corner.
+                    Sign::Zero | Sign::Negative => chain.pop(),
+                };
+            }
+            chain.push(point);
+        }
+        chain
+    };
+    let mut hull = chain(&mut points.iter().copied());
+    let upper = chain(&mut points.iter().rev().copied());
+    if upper.len() > 1 {
+        hull.extend(&upper[1..upper.len() - 1]);
+    }
+    hull
+}
