@@ -125,7 +125,7 @@ impl Source {
         let exact = |point: &[_; 3]| {
             RationalPoint3::from(&point.each_ref().map(stabline::num::Number::to_rational))
         };
-        let [p, q] = witness.line.each_ref().map(exact);
+        let [p, q] = witness.line.in_space().each_ref().map(exact);
         [witness.from, witness.to].map(|cell| {
             let subdivision = &self.cells.subdivision;
             let leaf = subdivision.leaf(self.cells.leaves[cell as usize]);

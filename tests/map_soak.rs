@@ -310,7 +310,7 @@ fn check_sightlines(cells: &WorldCells, occluders: &Occluders) -> usize {
     let finished = pvs::compute(&cells.graph, &options, Vec::new(), &|_| {}, &Silent);
     let witnesses = pvs::witnesses(&finished.rows);
     for found in &witnesses {
-        let line = found.line.each_ref().map(|p| p.each_ref().map(|c| c.to_rational()));
+        let line = found.line.in_space().each_ref().map(|p| p.each_ref().map(|c| c.to_rational()));
         let [p, q] = line.map(|point| RationalPoint3::from(&point));
         let ends = [found.from, found.to].map(|cell| {
             let division = &cells.subdivision;

@@ -47,8 +47,11 @@ impl Seen {
         let mut seen = Seen { cells, matrix, pairs: Vec::new() };
         for witness in pvs::witnesses(&finished.rows) {
             let cells = [witness.from, witness.to].map(|cell| cell as usize);
-            let line =
-                witness.line.map(|point| RationalPoint3::from(&point.map(|c| c.to_rational())));
+            let line = witness
+                .line
+                .in_space()
+                .clone()
+                .map(|p| RationalPoint3::from(&p.map(|c| c.to_rational())));
             let middle = |cell: usize| middle_within([&line[0], &line[1]], &seen.planes(cell));
             let points = cells.map(|cell| middle(cell).expect("the line passes through the cell"));
             seen.pairs.push(Pair { cells, points });

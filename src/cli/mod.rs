@@ -18,6 +18,7 @@ mod interrupt;
 mod meshes;
 mod motion;
 mod numbers;
+mod plan;
 mod progress;
 mod pvs;
 mod schema;

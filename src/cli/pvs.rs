@@ -2,11 +2,13 @@
 
 mod keep;
 mod objects;
+mod plan;
 mod summary;
 mod tree;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::plan::PlanArgs;
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
 use super::world::{self, WorldArgs};
 use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
@@ -18,7 +20,7 @@ use std::path::PathBuf;
 /// Compute which cells see which, exactly, with a sightline for every open pair
 ///
 /// INPUT is a portal file (`.prt`), a JSON scene, a level's source (`.map`), or polygons (`.obj`,
-/// `.gltf`, `.glb`). Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
+/// `.gltf`, `.glb`), or a floorplan in JSON. Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// A portal graph, or geometry to be divided into cells
@@ -77,6 +79,8 @@ pub(super) struct Args {
     #[command(flatten)]
     world: WorldArgs,
     #[command(flatten)]
+    plan: PlanArgs,
+    #[command(flatten)]
     progress: ProgressArgs,
 }
 
@@ -113,6 +117,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let outputs = [&args.output, &args.npy, &args.stab_tree, &args.objects];
     let writes_to_stdout = files::check_outputs(outputs)?;
     let input = Input::read(&args.input)?;
+    if super::plan::is_plan(&input) {
+        return plan::run(&args, clock, &input, writes_to_stdout);
+    }
     let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
         None => (world::read_graph(&input, &args.world, &watch)?, None),

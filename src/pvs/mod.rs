@@ -43,7 +43,7 @@ pub use search::{DeadEnd, DeadEnds};
 pub use sightline::Sightline;
 pub use tree::{StabNode, StabTree, stab_trees};
 
-use crate::report::{Matrix, PairWitness, Verdict};
+use crate::report::{Matrix, PairWitness, Verdict, WitnessLine};
 use crate::scene::{CellId, PortalGraph};
 
 /// What was found for one source cell: the verdicts of the pairs that it is the source of.
@@ -135,5 +135,6 @@ fn witness(source: u32, pair: &OpenPair) -> PairWitness {
     let pair = pair.clone();
     let (from, to) = (source.min(target), source.max(target));
     let pair = if source < target { pair } else { pair.reversed(CellId(source)) };
-    PairWitness { from, to, portals: pair.portals, line: pair.line.numbers() }
+    let line = WitnessLine::Space(pair.line.numbers());
+    PairWitness { from, to, portals: pair.portals, line }
 }

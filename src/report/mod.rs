@@ -21,6 +21,6 @@ pub use matrix::{Counts, Matrix, Verdict};
 pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
 pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use progress::{Progress, Silent};
-pub use pvs::{InputId, PairWitness, PvsReport, ReportError};
+pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
 pub use stab::StabReport;
 pub use transversals::{TransversalsReport, transversals_text};

@@ -63,7 +63,37 @@ pub struct PairWitness {
     /// The portals that it crosses, in this order: indices into the input file's portals.
     pub portals: Vec<u32>,
     /// Two distinct points of it, in its direction, in world coordinates.
-    pub line: [[Number; 3]; 2],
+    pub line: WitnessLine,
+}
+
+/// Two points of a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WitnessLine {
+    /// In the plane.
+    Plane([[Number; 2]; 2]),
+    /// In space.
+    Space([[Number; 3]; 2]),
+}
+
+impl WitnessLine {
+    /// The coordinates of the two points.
+    pub fn points(&self) -> [&[Number]; 2] {
+        match self {
+            WitnessLine::Plane([p, q]) => [p, q],
+            WitnessLine::Space([p, q]) => [p, q],
+        }
+    }
+
+    /// The two points of a line in space.
+    ///
+    /// # Panics
+    /// If it lies in the plane.
+    pub fn in_space(&self) -> &[[Number; 3]; 2] {
+        match self {
+            WitnessLine::Plane(_) => panic!("a line of the plane"),
+            WitnessLine::Space(points) => points,
+        }
+    }
 }
 
 impl InputId {

@@ -11,7 +11,7 @@ type Point = [Rational; 3];
 /// its cell to the other, and its line crosses the inside of each in that direction, in order.
 /// (Of a portal that was triangulated, the inside of one of the triangles.)
 pub fn check(graph: &PortalGraph, witness: &PairWitness) -> Result<(), String> {
-    let [p, q] = witness.line.each_ref().map(|p| p.each_ref().map(|c| c.to_rational()));
+    let [p, q] = witness.line.in_space().each_ref().map(|p| p.each_ref().map(|c| c.to_rational()));
     let direction = minus(&q, &p);
     if direction.iter().all(Zero::is_zero) {
         return Err("the two points are equal".to_owned());

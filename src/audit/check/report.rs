@@ -89,6 +89,7 @@ pub struct Hole {
 pub struct Sightline {
     /// The portals that it crosses, in this order: indices into the input file's portals.
     pub portals: Vec<u32>,
-    /// Two distinct points of it, in world coordinates.
-    pub line: [[String; 3]; 2],
+    /// Two distinct points of it, in world coordinates: three each, or two in a floorplan.
+    #[schemars(inner(length(min = 2, max = 3)))]
+    pub line: [Vec<String>; 2],
 }

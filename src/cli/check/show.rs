@@ -3,6 +3,7 @@
 use super::Candidate;
 use crate::audit::check::report::{CheckReport, Hole, PairNames, Sightline};
 use crate::audit::check::{Pair, Policy, Score, Tally};
+use crate::num::Number;
 use crate::report::{Counts, PvsReport, Verdict};
 use std::fmt::{self, Write};
 
@@ -62,7 +63,8 @@ impl Shown<'_> {
     fn witness(&self, [from, to]: Pair) -> Option<Sightline> {
         let witness = self.report.witness(from, to)?;
         let mut portals = witness.portals.clone();
-        let mut line = witness.line.clone().map(|point| point.map(|c| c.to_string()));
+        let text = |point: &[Number]| point.iter().map(Number::to_string).collect();
+        let mut line: [Vec<String>; 2] = witness.line.points().map(text);
         if from > to {
             portals.reverse();
             line.reverse();

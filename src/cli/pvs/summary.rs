@@ -3,6 +3,7 @@
 use super::Args;
 use crate::pvs::Finished;
 use crate::report::{ObjectsReport, PvsReport};
+use crate::scene::plan::PlanGraph;
 use crate::scene::{CellOrder, PortalGraph};
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -88,17 +89,57 @@ pub(super) fn summary(
     text + &objects.map(super::objects::summary).unwrap_or_default()
 }
 
+/// The summary of a floorplan's result, as text or as JSON.
+pub(super) fn plan_summary(graph: &PlanGraph, report: &PvsReport, as_json: bool) -> String {
+    let counts = report.matrix.counts();
+    let cells = report.cells.len() as u64;
+    if as_json {
+        let value = serde_json::json!({
+            "format": "stabline-pvs-summary/1",
+            "input": {"name": report.input.name, "blake3": report.input.blake3},
+            "reading": report.reading,
+            "cells": cells,
+            "portals": graph.portals.len(),
+            "skew_portals": 0,
+            "nonconvex_cells": 0,
+            "counts": {
+                "open": counts.open,
+                "not_open": counts.not_open,
+                "grazing": report.grazing_classified.then_some(counts.grazing),
+                "undecided": counts.undecided,
+                "diagonal_included": true,
+            },
+        });
+        return format!("{value:#}\n");
+    }
+    let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
+    let mut text = format!(
+        "{}: {cells} cells, {} portals, in the plane\n",
+        report.input.name,
+        graph.portals.len(),
+    );
+    text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
+    if report.grazing_classified {
+        text += &format!("grazing    {:>10}  {:5.1} %\n", counts.grazing, percent(counts.grazing));
+    }
+    let rest = if report.grazing_classified { "blocked " } else { "not open" };
+    text += &format!("{rest}   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
+    text + "ordered pairs of cells, each cell with itself included; every open pair has an exact \
+            sightline\n"
+}
+
+/// Prints times and peak memory.
+pub(super) fn print_times(clock: &Clock) {
+    // Nothing is left to be told if standard error is closed.
+    let _ = std::io::stderr().write_all((times(clock) + &memory()).as_bytes());
+}
+
 /// Prints times, peak memory and how pairs were settled.
 pub(super) fn print_stats(clock: &Clock, graph: &PortalGraph, finished: &Finished) {
     let tally = &finished.tally;
-    let total = clock.started.elapsed().as_secs_f64();
-    let mut text = format!("total {total:.3} s");
-    for (name, time) in &clock.laps {
-        let seconds = time.as_secs_f64();
-        text += &format!(", {name} {seconds:.3} s ({:.0} %)", 100.0 * seconds / total);
-    }
+    let mut text = times(clock);
     text += &format!(
-        "\npairs of different cells: {} not open by the bound, {} not open by search, \
+        "pairs of different cells: {} not open by the bound, {} not open by search, \
          {} open by a known line, {} open by a line proposed, {} open by an exact cone\n",
         finished.settled_by_bound, tally.refuted, tally.inherited, tally.proposed, tally.cone_open,
     );
@@ -109,11 +150,27 @@ pub(super) fn print_stats(clock: &Clock, graph: &PortalGraph, finished: &Finishe
         tally.cones,
         graph.portals.len(),
     );
-    if let Some(peak) = peak_memory() {
-        text += &format!("peak memory: {:.1} MiB\n", peak as f64 / f64::from(1 << 20));
-    }
+    text += &memory();
     // Nothing is left to be told if standard error is closed.
     let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
+/// The time of each stage, on one line.
+fn times(clock: &Clock) -> String {
+    let total = clock.started.elapsed().as_secs_f64();
+    let mut text = format!("total {total:.3} s");
+    for (name, time) in &clock.laps {
+        let seconds = time.as_secs_f64();
+        text += &format!(", {name} {seconds:.3} s ({:.0} %)", 100.0 * seconds / total);
+    }
+    text + "\n"
+}
+
+fn memory() -> String {
+    match peak_memory() {
+        Some(peak) => format!("peak memory: {:.1} MiB\n", peak as f64 / f64::from(1 << 20)),
+        None => String::new(),
+    }
 }
 
 /// The most memory that was in use at a time, in bytes, where the system tells.

@@ -5,7 +5,6 @@ use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::pvs::{Options, assemble, compute};
 use crate::report::{Matrix, Silent, Verdict};
 use crate::scene::plan::{Plan, PlanGraph, RawPlan, RawSegment};
-use crate::scene::{PortalGraph, RawGraph, RawPortal};
 use crate::subdivision::plan::{PlanMethod, divide};
 use num_traits::Signed;
 
@@ -22,29 +21,9 @@ fn cells(plan: &Plan) -> PlanCells {
     cells_of_plan(plan, tree, false).unwrap()
 }
 
-/// The same cells with a height of 1: the search of portal sequences in space decides them.
-fn in_space(graph: &PlanGraph) -> PortalGraph {
-    let portals = graph.portals.iter().map(|portal| {
-        let [l, r] = [portal.left, portal.right].map(|end| graph.world(end));
-        let at = |[x, y]: &[Number; 2], z| [x.clone(), y.clone(), Number::Small(z, 1)];
-        RawPortal {
-            cells: [portal.from.0, portal.to.0],
-            vertices: vec![at(&r, 0), at(&l, 0), at(&l, 1), at(&r, 1)],
-            line: None,
-        }
-    });
-    let cells = graph.cells.len() as u32;
-    let raw = RawGraph {
-        cells: graph.cells.clone(),
-        portals: portals.collect(),
-        leaf_to_cell: (0..cells).collect(),
-        declared_grid: None,
-    };
-    PortalGraph::from_raw(raw).unwrap()
-}
-
+/// By the search of portal sequences in space.
 fn matrix_in_space(graph: &PlanGraph) -> Matrix {
-    let graph = in_space(graph);
+    let graph = graph.in_space();
     let found = compute(&graph, &Options::default(), Vec::new(), &|_| {}, &Silent);
     assemble(&graph, &found.rows)
 }

@@ -1,6 +1,6 @@
 //! The strict reader.
 
-use super::{FORMAT, InputId, PairWitness, PvsReport, wire};
+use super::{FORMAT, InputId, PairWitness, PvsReport, WitnessLine, wire};
 use crate::num::Number;
 use crate::report::{Matrix, Verdict};
 
@@ -167,19 +167,26 @@ fn read_witnesses(
         if portals.is_empty() {
             return error("expected one portal or more".to_owned());
         }
-        let mut points =
-            [const { [Number::Small(0, 1), Number::Small(0, 1), Number::Small(0, 1)] }; 2];
-        for (number, text) in points.iter_mut().flatten().zip(line.iter().flatten()) {
+        let mut numbers = Vec::with_capacity(6);
+        for text in line.iter().flatten() {
             match Number::parse(text) {
-                Ok(parsed) if is_spelled(&parsed, text) => *number = parsed,
+                Ok(parsed) if is_spelled(&parsed, text) => numbers.push(parsed),
                 Ok(parsed) => return error(format!("`{text}` is not in lowest terms: `{parsed}`")),
                 Err(what) => return error(format!("`{text}`: {what}")),
             }
         }
-        if points[0] == points[1] {
+        let (first, second) = numbers.split_at(numbers.len() / 2);
+        if first == second || line[0].len() != line[1].len() {
             return error("expected two distinct points".to_owned());
         }
-        witnesses.push(PairWitness { from, to, portals, line: points });
+        let line = match <[Number; 6]>::try_from(numbers) {
+            Ok([a, b, c, d, e, f]) => WitnessLine::Space([[a, b, c], [d, e, f]]),
+            Err(numbers) => match <[Number; 4]>::try_from(numbers) {
+                Ok([a, b, c, d]) => WitnessLine::Plane([[a, b], [c, d]]),
+                Err(_) => return error("expected points of two or three coordinates".to_owned()),
+            },
+        };
+        witnesses.push(PairWitness { from, to, portals, line });
     }
     Ok(witnesses)
 }

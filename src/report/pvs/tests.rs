@@ -20,10 +20,10 @@ fn sample() -> PvsReport {
             from: 0,
             to: 1,
             portals: vec![7, 12],
-            line: [
+            line: WitnessLine::Space([
                 [Number::ratio(-3, 2), Number::ratio(0, 1), Number::ratio(i64::MIN.into(), 1)],
                 [Number::ratio(1, 1), Number::ratio(2, 1), big],
-            ],
+            ]),
         }],
     }
 }
@@ -38,6 +38,10 @@ fn text(report: &PvsReport) -> String {
 fn what_is_written_reads_back() {
     let mut report = sample();
     assert_eq!(PvsReport::read(text(&report).as_bytes()), Ok(report.clone()));
+    let [p, q] = [[-3, 2], [1, 1 << 40]].map(|p| p.map(|c| Number::ratio(c, 7)));
+    report.witnesses[0].line = WitnessLine::Plane([p, q]);
+    assert_eq!(PvsReport::read(text(&report).as_bytes()), Ok(report.clone()));
+    let mut report = sample();
     report.grazing_classified = false;
     report.matrix.set(0, 2, Verdict::NotOpen);
     report.witnesses.clear();

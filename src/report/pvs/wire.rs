@@ -90,9 +90,20 @@ pub(super) struct Witness<'a> {
     /// The portals that it crosses, in this order: indices into the input file's portals.
     pub portals: Vec<u32>,
     /// Two distinct points of it in its direction, in world coordinates: ratios in lowest terms.
-    #[schemars(with = "[[Ratio; 3]; 2]")]
+    #[schemars(with = "Line")]
     #[serde(borrow)]
-    pub line: [[&'a str; 3]; 2],
+    pub line: [Vec<&'a str>; 2],
+}
+
+/// Two points, of space or of the plane.
+#[derive(JsonSchema)]
+#[schemars(untagged, inline)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum Line {
+    /// In space.
+    Space([[Ratio; 3]; 2]),
+    /// In the plane, for floorplans.
+    Plane([[Ratio; 2]; 2]),
 }
 
 /// An integer `p` or a ratio `p/q` in lowest terms, q > 1.

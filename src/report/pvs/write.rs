@@ -86,7 +86,7 @@ fn push_witness(text: &mut Vec<u8>, witness: &PairWitness) -> io::Result<()> {
     text.extend_from_slice(b", \"portals\": [");
     push_list(text, &witness.portals);
     text.extend_from_slice(b"], \"line\": [[");
-    for (index, point) in witness.line.iter().enumerate() {
+    for (index, point) in witness.line.points().into_iter().enumerate() {
         text.extend_from_slice(if index == 0 { b"" } else { b"], [" });
         for (axis, coordinate) in point.iter().enumerate() {
             text.extend_from_slice(if axis == 0 { b"\"" } else { b", \"" });

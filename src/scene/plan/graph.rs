@@ -2,7 +2,7 @@
 
 use crate::num::{Int, Number};
 use crate::predicates::PlanPoints;
-use crate::scene::CellId;
+use crate::scene::{CellId, PortalGraph, RawGraph, RawPortal};
 
 /// A segment between two cells, crossed from `from` to `to` with `left` on the left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,6 +120,28 @@ impl PlanGraph {
         for (way, (_, sorted)) in ways.iter_mut().zip(keyed) {
             *way = sorted;
         }
+    }
+
+    /// The graph of the same cells and portals with a height of 1, from z = 0 on, whose portals
+    /// are passed by the same lines: a line that passes these, shadowed on the plane, passes those,
+    /// and a line of the plane passes these at any height between.
+    pub fn in_space(&self) -> PortalGraph {
+        let portals = self.portals.iter().map(|portal| {
+            let [l, r] = [portal.left, portal.right].map(|end| self.world(end));
+            let at = |[x, y]: &[Number; 2], z| [x.clone(), y.clone(), Number::Small(z, 1)];
+            RawPortal {
+                cells: [portal.from.0, portal.to.0],
+                vertices: vec![at(&r, 0), at(&l, 0), at(&l, 1), at(&r, 1)],
+                line: None,
+            }
+        });
+        let raw = RawGraph {
+            cells: self.cells.clone(),
+            portals: portals.collect(),
+            leaf_to_cell: (0..self.cells.len() as u32).collect(),
+            declared_grid: None,
+        };
+        PortalGraph::from_raw(raw).expect("rectangles between two cells")
     }
 
     /// A point in world units.

@@ -68,6 +68,8 @@ pub struct Plan {
     pub segments: Vec<PlanSegment>,
     /// The corners of the box to be divided, counter-clockwise from the least.
     pub bounds: [u32; 4],
+    /// Whether the box is stated, and not the one around all segments.
+    pub has_view: bool,
     /// Points that mark the inside, in grid units.
     pub inside: Vec<PlanPoint>,
     /// What may be seen in it.
@@ -169,7 +171,8 @@ impl Plan {
             })?;
             objects.push(PlanObject { name: name.clone(), polygon });
         }
-        Ok(Plan { grid, points, segments, bounds, inside, objects, repairs })
+        let has_view = raw.view.is_some();
+        Ok(Plan { grid, points, segments, bounds, has_view, inside, objects, repairs })
     }
 }
 
