@@ -22,21 +22,28 @@ pub fn draw_cells(mut sheet: Sheet, floor: &Floor) -> String {
         })
         .collect();
     stroke(&mut sheet.svg, (palette::GRAPH, pens.line, ""), &edges);
-    let longest = floor.names.iter().map(|name| text_width(name, pens.font)).fold(0.0, f64::max);
-    let has_names = pens.font >= sheet.width() / 140.0 && longest < 3.0 * pens.font;
-    let width = number(pens.line);
-    let style = match has_names {
-        true => [("fill", "#ffffff"), ("stroke", palette::GRAPH), ("stroke-width", &width)],
-        false => [("fill", palette::GRAPH), ("stroke", "none"), ("stroke-width", "0")],
-    };
-    let radius = if has_names { (longest / 2.0).max(0.75 * pens.font) } else { pens.node };
-    sheet.svg.group(&style[..if has_names { 3 } else { 1 }], |svg| {
-        floor.middles.iter().for_each(|&middle| svg.circle(middle, radius));
-    });
-    if has_names {
-        floor.draw_names(&mut sheet, |_| palette::TEXT);
-    }
+    draw_nodes(&mut sheet, floor);
     sheet.explain(Sample::Line(palette::GRAPH, pens.line, ""), "adjacency graph");
     sheet.explain(Sample::Area(palette::CELL), format!("{} cells", floor.names.len()));
     sheet.finish()
+}
+
+/// The nodes of the graph: around the names where those are short, else dots with the names below.
+fn draw_nodes(sheet: &mut Sheet, floor: &Floor) {
+    let pens = floor.pens(sheet);
+    let longest = floor.names.iter().map(|name| text_width(name, pens.font)).fold(0.0, f64::max);
+    let width = number(pens.line);
+    if floor.has_names(sheet) && longest < 3.0 * pens.font {
+        let radius = (longest / 2.0).max(0.75 * pens.font);
+        let style = [("fill", palette::CELL), ("stroke", palette::GRAPH), ("stroke-width", &width)];
+        sheet.svg.group(&style, |svg| {
+            floor.middles.iter().for_each(|&middle| svg.circle(middle, radius));
+        });
+        floor.draw_names(sheet, 0.0, |_| [palette::TEXT, palette::CELL]);
+        return;
+    }
+    sheet.svg.group(&[("fill", palette::GRAPH)], |svg| {
+        floor.middles.iter().for_each(|&middle| svg.circle(middle, 0.6 * pens.node));
+    });
+    floor.draw_names(sheet, 0.6 * pens.node + pens.font, |_| [palette::TEXT, palette::CELL]);
 }

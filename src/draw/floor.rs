@@ -1,7 +1,7 @@
 //! A floorplan or a graph of the plane in the places of a picture: what every picture is drawn
 //! upon.
 
-use super::frame::{Frame, box_around};
+use super::frame::{Frame, box_around, widened};
 use super::palette;
 use super::sheet::{Sample, Sheet, SheetOptions, text_width};
 use super::svg::{Place, Svg, number};
@@ -71,7 +71,7 @@ impl Floor {
         let points = ends.chain(corners).map(|number| graph.points.get(number));
         let unit = || [Rational::from_integer(0.into()), Rational::from_integer(1.into())];
         let bounds = box_around(points).unwrap_or_else(|| [unit(), unit()]);
-        let sheet = Sheet::new(bounds, options);
+        let sheet = Sheet::new(widened(bounds), options);
         let floor = Floor::of_cells(graph, &sheet.frame);
         (sheet, floor)
     }
@@ -115,7 +115,7 @@ impl Floor {
         let cells = self.outlines.len().max(1) as f64;
         let typical = ((x1 - x0) * (y1 - y0) / cells).sqrt();
         let width = sheet.width();
-        let unit = (typical / 40.0).clamp(width / 1200.0, width / 270.0);
+        let unit = (typical / 40.0).clamp(width / 900.0, width / 270.0);
         Pens {
             face: unit,
             line: (0.6 * unit).max(width / 1600.0),
@@ -184,30 +184,51 @@ impl Floor {
         }
     }
 
-    /// The name of each cell in which there is room for it, in its middle.
-    pub fn draw_names(&self, sheet: &mut Sheet, colour: impl Fn(CellId) -> &'static str) {
+    /// Names of cells: each in the middle of its cell, if there is room for it, or so far below the
+    /// place of a cell without a shape. `colour` is that of a name and of what it stands on.
+    pub fn draw_names(
+        &self,
+        sheet: &mut Sheet,
+        below: f64,
+        colour: impl Fn(CellId) -> [&'static str; 2],
+    ) {
         let font = self.pens(sheet).font;
-        if font < sheet.width() / 140.0 {
+        if !self.has_names(sheet) {
             return;
         }
-        let size = number(font);
-        let mut names: Vec<(&'static str, Place, &str)> = Vec::new();
+        let [size, halo] = [font, 0.3 * font].map(number);
+        let mut names: Vec<([&'static str; 2], Place, &str)> = Vec::new();
         for cell in self.cells() {
-            let (name, middle) = (&self.names[cell.0 as usize], self.middles[cell.0 as usize]);
+            let (name, middle) = (self.name(cell), self.middles[cell.0 as usize]);
             let half = [text_width(name, font) / 2.0, font / 2.0];
             let outline = self.outline(cell);
-            let fits = outline.is_empty() || holds_box(outline, middle, half);
-            if fits {
-                names.push((colour(cell), [middle[0], middle[1] + 0.35 * font], name));
+            let [x, y] = middle;
+            if outline.is_empty() {
+                names.push((colour(cell), [x, y + below + 0.35 * font], name));
+            } else if holds_box(outline, middle, half) {
+                names.push((colour(cell), [x, y + 0.35 * font], name));
             }
         }
-        names.sort_by_key(|(colour, _, _)| *colour);
+        names.sort_by_key(|(colours, _, _)| *colours);
         for same in names.chunk_by(|a, b| a.0 == b.0) {
-            let style = [("fill", same[0].0), ("font-size", &size), ("text-anchor", "middle")];
+            let [colour, under] = same[0].0;
+            let style = [
+                ("fill", colour),
+                ("stroke", under),
+                ("stroke-width", &halo),
+                ("paint-order", "stroke"),
+                ("font-size", &size),
+                ("text-anchor", "middle"),
+            ];
             sheet.svg.group(&style, |svg| {
                 same.iter().for_each(|(_, place, name)| svg.text(*place, name));
             });
         }
+    }
+
+    /// Whether cells are large enough for names.
+    pub fn has_names(&self, sheet: &Sheet) -> bool {
+        self.pens(sheet).font >= sheet.width() / 140.0
     }
 
     /// All cells.

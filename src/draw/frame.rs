@@ -78,6 +78,14 @@ impl Frame {
     }
 }
 
+/// A box that is a tenth of its longer side wider on each side.
+pub fn widened([low, high]: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {
+    let extents = [0, 1].map(|axis| &high[axis] - &low[axis]);
+    let longer = extents[0].clone().max(extents[1].clone());
+    let tenth = longer / Rational::from_integer(10.into());
+    [low.map(|c| c - &tenth), high.map(|c| c + &tenth)]
+}
+
 /// A directed line in a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
@@ -101,6 +109,13 @@ impl Ray {
     /// The place so far along it.
     pub fn at(&self, distance: f64) -> Place {
         [0, 1].map(|axis| self.from[axis] + distance * self.direction[axis])
+    }
+
+    /// How far along it meets the line through two places; nowhere near for a parallel one.
+    pub fn crosses(&self, [a, b]: [Place; 2]) -> f64 {
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let to = [a[0] - self.from[0], a[1] - self.from[1]];
+        cross(to, along) / cross(self.direction, along)
     }
 
     /// How far along it enters and leaves a convex polygon, if it passes that.

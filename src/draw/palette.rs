@@ -21,6 +21,8 @@ pub const OUTSIDE: &str = "#e4e4e4";
 pub const EDGE: &str = "#b0b0b0";
 /// Portals. L* 52.
 pub const PORTAL: &str = "#d55e00";
+/// Splits, under the faces on them. L* 76.
+pub const SPLIT: &str = "#f2ae72";
 /// The adjacency graph. L* 46.
 pub const GRAPH: &str = "#0072b2";
 /// Lines of sight and trees over pale cells: a dark orange. L* 45.

@@ -2,7 +2,7 @@
 //! them (Teller and Séquin 1991, figure 6).
 
 use super::floor::stroke;
-use super::frame::box_around;
+use super::frame::{box_around, widened};
 use super::palette;
 use super::sheet::{Sample, Sheet, SheetOptions};
 use super::svg::{Place, number};
@@ -71,14 +71,6 @@ pub fn draw_sequence(
     }
     number_portals(&mut sheet, &segments);
     sheet.finish()
-}
-
-/// A box that is a tenth wider on each side, and not thinner than a fifth of its length.
-fn widened([low, high]: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {
-    let extents = [0, 1].map(|axis| &high[axis] - &low[axis]);
-    let longer = extents[0].clone().max(extents[1].clone());
-    let tenth = longer / Rational::from_integer(10.into());
-    [low.map(|c| c - &tenth), high.map(|c| c + &tenth)]
 }
 
 /// The number of each portal beside its left end, away from its right one.

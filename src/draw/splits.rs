@@ -15,21 +15,21 @@ const NUMBERED: usize = 120;
 pub fn draw_splits(mut sheet: Sheet, floor: &Floor, tree: &PlanTree) -> String {
     let pens = floor.pens(&sheet);
     floor.draw_cells(&mut sheet, |_| palette::CELL);
-    floor.draw_faces(&mut sheet);
     let splits = splits(&sheet, tree);
     let deepest = splits.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
     for depth in 0..=deepest {
         let own: Vec<[Place; 2]> =
             splits.iter().filter(|split| split.0 == depth).map(|split| split.1).collect();
-        let width = (1.2 * pens.face / (1.0 + 0.35 * depth as f64)).max(pens.hair);
-        stroke(&mut sheet.svg, (palette::PORTAL, width, ""), &own);
+        let width = pens.face * (1.2 + 2.0 / (1.0 + 0.5 * depth as f64));
+        stroke(&mut sheet.svg, (palette::SPLIT, width, ""), &own);
     }
+    floor.draw_faces(&mut sheet);
     if splits.len() <= NUMBERED {
         let font = (0.8 * pens.font).min(0.85 * sheet.font()).max(sheet.width() / 120.0);
         number_splits(&mut sheet, &splits, font);
     }
     let text = format!("{} splits of depth {}, the first ones wide", splits.len(), tree.depth());
-    sheet.explain(Sample::Line(palette::PORTAL, pens.face, ""), text);
+    sheet.explain(Sample::Line(palette::SPLIT, 2.0 * pens.face, ""), text);
     sheet.finish()
 }
 

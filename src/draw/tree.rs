@@ -4,7 +4,7 @@ use super::floor::{Floor, mean};
 use super::palette;
 use super::sheet::{Sample, Sheet, SheetOptions, text_width};
 use super::svg::{Place, number};
-use super::visibility::draw_seen;
+use super::visibility::Seen;
 use crate::num::Rational;
 use crate::scene::CellId;
 
@@ -24,7 +24,8 @@ pub struct TreeNode {
 pub fn draw_stab_tree(mut sheet: Sheet, floor: &Floor, nodes: &[TreeNode]) -> String {
     let Some(root) = nodes.first() else { return sheet.finish() };
     let visible: Vec<CellId> = nodes.iter().map(|node| node.cell).collect();
-    draw_seen(&mut sheet, floor, root.cell, &visible);
+    let seen = Seen::new(floor, root.cell, &visible);
+    seen.draw(&mut sheet, floor);
     let pens = floor.pens(&sheet);
     floor.draw_faces(&mut sheet);
     let mut places: Vec<Place> = Vec::with_capacity(nodes.len());

@@ -1,7 +1,6 @@
 //! What one cell sees, with the lines that show it (Teller and Séquin 1991, figures 7 and 11a).
 
 use super::floor::{Floor, Pens, stroke};
-use super::frame::{Frame, Ray};
 use super::palette;
 use super::sheet::{Sample, Sheet};
 use super::svg::{Place, number};
@@ -11,10 +10,12 @@ use crate::scene::CellId;
 /// A line that two cells see each other along.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sightline {
-    /// A cell that it passes.
+    /// The cell that it starts in.
     pub from: CellId,
-    /// Another one.
+    /// The cell that it ends in.
     pub to: CellId,
+    /// The portals that it crosses between them.
+    pub portals: Vec<u32>,
     /// Two distinct points of it, in grid units.
     pub line: [[Rational; 2]; 2],
 }
@@ -27,74 +28,87 @@ pub fn draw_visibility(
     visible: &[CellId],
     lines: &[Sightline],
 ) -> String {
-    draw_seen(&mut sheet, floor, source, visible);
+    let seen = Seen::new(floor, source, visible);
+    seen.draw(&mut sheet, floor);
     let pens = floor.pens(&sheet);
     floor.draw_faces(&mut sheet);
-    let drawn: Vec<[Place; 2]> =
-        lines.iter().filter_map(|line| between(&sheet.frame, floor, line)).collect();
-    stroke(&mut sheet.svg, (palette::SIGHT, pens.line, ""), &drawn);
+    if floor.outlines.iter().any(Vec::is_empty) {
+        floor.draw_portals(&mut sheet);
+    }
+    let drawn: Vec<(&Sightline, [Place; 2])> =
+        lines.iter().filter_map(|line| Some((line, between(&sheet, floor, line)?))).collect();
+    let segments: Vec<[Place; 2]> = drawn.iter().map(|(_, ends)| *ends).collect();
+    stroke(&mut sheet.svg, (palette::SIGHT, pens.line, ""), &segments);
     sheet.svg.group(&[("fill", palette::SIGHT)], |svg| {
-        drawn.iter().flatten().for_each(|&end| svg.circle(end, 1.8 * pens.line));
+        for (line, ends) in &drawn {
+            let far = if line.from == source { 1 } else { 0 };
+            svg.circle(ends[far], 1.8 * pens.line);
+        }
     });
-    floor.draw_names(&mut sheet, |cell| name_colour(cell, source));
+    seen.draw_shapeless(&mut sheet, floor);
+    floor.draw_names(&mut sheet, 2.0 * pens.font, |cell| seen.name_colours(floor, cell));
     if !drawn.is_empty() {
         sheet.explain(Sample::Line(palette::SIGHT, pens.line, ""), "stabbing line");
     }
     sheet.finish()
 }
 
-/// The cells: the one that looks, those that it sees, and the others.
-pub(super) fn draw_seen(sheet: &mut Sheet, floor: &Floor, source: CellId, visible: &[CellId]) {
-    let mut is_visible = vec![false; floor.names.len()];
-    visible.iter().for_each(|cell| is_visible[cell.0 as usize] = true);
-    is_visible[source.0 as usize] = false;
-    let count = is_visible.iter().filter(|is_visible| **is_visible).count();
-    floor.draw_cells(sheet, |cell| match cell {
-        cell if cell == source => palette::SOURCE,
-        cell if is_visible[cell.0 as usize] => palette::VISIBLE,
-        _ => palette::CELL,
-    });
-    draw_shapeless(sheet, floor, source, &is_visible);
-    sheet.explain(Sample::Area(palette::SOURCE), format!("cell {}", floor.name(source)));
-    let others = floor.names.len() - 1;
-    sheet.explain(Sample::Area(palette::VISIBLE), format!("sees {count} of {others} others"));
+/// The colours of the cell that looks, of those that it sees, and of the others.
+pub(super) struct Seen {
+    source: CellId,
+    colours: Vec<&'static str>,
 }
 
-/// Cells without a shape as dots.
-fn draw_shapeless(sheet: &mut Sheet, floor: &Floor, source: CellId, is_visible: &[bool]) {
-    let Pens { font, hair, .. } = floor.pens(sheet);
-    let width = number(hair);
-    for cell in floor.cells().filter(|&cell| floor.outline(cell).is_empty()) {
-        let colour = match cell {
-            cell if cell == source => palette::SOURCE,
-            cell if is_visible[cell.0 as usize] => palette::VISIBLE,
-            _ => palette::CELL,
-        };
-        let style = [("fill", colour), ("stroke", palette::EDGE), ("stroke-width", &width)];
-        sheet.svg.group(&style, |svg| svg.circle(floor.middles[cell.0 as usize], 1.5 * font));
+impl Seen {
+    /// The colours for a source and what it sees, which may hold itself.
+    pub(super) fn new(floor: &Floor, source: CellId, visible: &[CellId]) -> Seen {
+        let mut colours = vec![palette::CELL; floor.names.len()];
+        visible.iter().for_each(|cell| colours[cell.0 as usize] = palette::VISIBLE);
+        colours[source.0 as usize] = palette::SOURCE;
+        Seen { source, colours }
+    }
+
+    /// Draws the cells and explains them.
+    pub(super) fn draw(&self, sheet: &mut Sheet, floor: &Floor) {
+        floor.draw_cells(sheet, |cell| self.colours[cell.0 as usize]);
+        let count = self.colours.iter().filter(|colour| **colour == palette::VISIBLE).count();
+        let others = floor.names.len() - 1;
+        sheet.explain(Sample::Area(palette::SOURCE), format!("cell {}", floor.name(self.source)));
+        sheet.explain(Sample::Area(palette::VISIBLE), format!("sees {count} of {others} others"));
+    }
+
+    /// Draws cells without a shape, as dots.
+    pub(super) fn draw_shapeless(&self, sheet: &mut Sheet, floor: &Floor) {
+        let Pens { node, hair, .. } = floor.pens(sheet);
+        let width = number(hair);
+        for cell in floor.cells().filter(|&cell| floor.outline(cell).is_empty()) {
+            let colour = self.colours[cell.0 as usize];
+            let style = [("fill", colour), ("stroke", palette::TEXT), ("stroke-width", &width)];
+            sheet.svg.group(&style, |svg| svg.circle(floor.middles[cell.0 as usize], node));
+        }
+    }
+
+    /// The colours of a cell's name, and of what it stands on.
+    fn name_colours(&self, floor: &Floor, cell: CellId) -> [&'static str; 2] {
+        if floor.outline(cell).is_empty() {
+            return [palette::TEXT, palette::CELL];
+        }
+        let text = if cell == self.source { palette::CELL } else { palette::TEXT };
+        [text, self.colours[cell.0 as usize]]
     }
 }
 
-/// The colour of a name on a cell as [`draw_seen`] draws it.
-pub(super) fn name_colour(cell: CellId, source: CellId) -> &'static str {
-    if cell == source { palette::CELL } else { palette::TEXT }
-}
-
-/// The part of a line from the middle of its way through the one cell to that through the other.
-fn between(frame: &Frame, floor: &Floor, sight: &Sightline) -> Option<[Place; 2]> {
-    let line = frame.ray(&sight.line)?;
-    let middle = |cell: CellId| line.middle_within(floor.outline(cell));
-    match (middle(sight.from), middle(sight.to)) {
-        (Some(from), Some(to)) => Some([from, to]),
-        // Without shapes, what the line joins are the cells' own places.
-        _ => Some([sight.from, sight.to].map(|cell| floor.middles[cell.0 as usize])),
+/// The part of a line from the middle of its way through the one cell to that through the other;
+/// between cells without a shape, from a little before its first portal to a little after its
+/// last.
+fn between(sheet: &Sheet, floor: &Floor, sight: &Sightline) -> Option<[Place; 2]> {
+    let line = sheet.frame.ray(&sight.line)?;
+    let middle = |cell: CellId| line.within(floor.outline(cell)).map(|[a, b]| (a + b) / 2.0);
+    if let (Some(from), Some(to)) = (middle(sight.from), middle(sight.to)) {
+        return Some([line.at(from), line.at(to)]);
     }
-}
-
-impl Ray {
-    /// The middle of the line's way through a convex polygon, if it passes that.
-    fn middle_within(&self, outline: &[Place]) -> Option<Place> {
-        let [enter, leave] = self.within(outline)?;
-        Some(self.at((enter + leave) / 2.0))
-    }
+    let crossed = |&portal: &u32| line.crosses(floor.portals[portal as usize]);
+    let (first, last) = (sight.portals.first().map(crossed)?, sight.portals.last().map(crossed)?);
+    let more = sheet.width() / 24.0;
+    Some([line.at(first.min(last) - more), line.at(first.max(last) + more)])
 }

@@ -22,10 +22,7 @@ pub(super) fn run(
     clock.lap("read");
     let wants_witnesses = args.output.is_some() && !args.no_witness;
     let graph = planar.graph();
-    let found = on_threads(args, |watch| match &planar {
-        Planar::Divided { .. } => sweep(graph, wants_witnesses, watch),
-        Planar::Graph(_) => search(graph, watch),
-    })?;
+    let found = on_threads(args, |watch| sights(&planar, wants_witnesses, watch))?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
     clock.lap("search");
     let report = PvsReport {
@@ -73,7 +70,19 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
 }
 
 /// `None` if interrupted.
-type Found = Option<(Matrix, Vec<PairWitness>)>;
+pub(in crate::cli) type Found = Option<(Matrix, Vec<PairWitness>)>;
+
+/// Which cells see which, and lines that show it where they are wanted.
+pub(in crate::cli) fn sights(
+    planar: &Planar,
+    wants_witnesses: bool,
+    progress: &dyn Progress,
+) -> Found {
+    match planar {
+        Planar::Divided { cells, .. } => sweep(&cells.graph, wants_witnesses, progress),
+        Planar::Graph(graph) => search(graph, progress),
+    }
+}
 
 fn sweep(graph: &PlanGraph, wants_witnesses: bool, progress: &dyn Progress) -> Found {
     let crossings = graph.crossings();
