@@ -12,6 +12,7 @@ mod plane;
 mod polynomial;
 mod pvs;
 mod sequence;
+mod sweep;
 mod world;
 
 pub use families::{Family, Random, sequence, sequence_2d};
@@ -20,4 +21,5 @@ pub use overlap::overlap;
 pub use plane::{PlaneTruth, classify_2d};
 pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};
+pub use sweep::{Star, star};
 pub use world::{Occluders, middle_within};
