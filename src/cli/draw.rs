@@ -1,19 +1,16 @@
 //! `stabline draw`: pictures of floorplans, and of what is seen in them.
 
+mod sequence;
+mod sight;
+
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::plan::{self, PlanArgs, Planar};
-use super::pvs::plan::sights;
-use crate::draw::{
-    self, DEFAULT_WIDTH, Floor, LEAST_WIDTH, SequenceLine, Sheet, SheetOptions, Sightline,
-};
-use crate::formats::sequence::{SEQUENCE_FORMAT, SequenceFile, SequencePoints};
-use crate::num::Rational;
-use crate::predicates::PlanPoint;
-use crate::report::{Silent, Verdict, WitnessLine};
-use crate::scene::CellId;
-use crate::scene::plan::PlanGraph;
-use crate::stab::hourglass::PlaneVerdict;
+use crate::draw::{self, DEFAULT_WIDTH, Floor, LEAST_WIDTH, Sheet, SheetOptions};
+use crate::eye::plan::PlanCull;
+use crate::report::Silent;
+use clap::ValueEnum;
+use sight::Eye;
 use std::path::PathBuf;
 
 /// Draw a floorplan, or what is seen in it, as an SVG
@@ -31,6 +28,18 @@ pub(super) struct Args {
     /// The cell that one looks from: its name, or its number
     #[arg(long, value_name = "CELL")]
     from: Option<String>,
+    /// Where the eye is: two decimals or ratios
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// The direction of view; all around without
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, requires_all = ["at", "half_tangent"])]
+    look: Option<String>,
+    /// The tangent of half the angle of view
+    #[arg(long, value_name = "H", requires = "look")]
+    half_tangent: Option<String>,
+    /// How cells are ruled out for the eye
+    #[arg(long, value_enum, value_name = "METHOD", default_value = "exact")]
+    cull: Cull,
     /// The picture; standard output without
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
@@ -49,42 +58,82 @@ pub(super) struct Args {
 enum What {
     /// Faces, cells, portals and the adjacency graph
     Cells,
+    /// What the eye `--at` sees, and the cells that `--cull` leaves
+    Eye,
     /// The lines that divide a floorplan, in the order of the tree
     Splits,
     /// The cells that `--from` sees, with a line to each
     Visibility,
 }
 
-impl What {
-    /// What the title says.
-    fn about(self) -> &'static str {
+/// The culls of Teller and Séquin 1991, §4.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Cull {
+    /// What the eye's cell sees
+    None,
+    /// Of it the cells that meet the view cone
+    Disjoint,
+    /// Those that are reached through such cells
+    Connected,
+    /// Those that are reached through portals that meet it
+    Portals,
+    /// The cells that are seen
+    Exact,
+}
+
+impl Cull {
+    fn method(self) -> PlanCull {
         match self {
-            What::Cells => "cells, portals, adjacency graph",
-            What::Splits => "splits",
-            What::Visibility => "cell-to-cell visibility",
+            Cull::None => PlanCull::None,
+            Cull::Disjoint => PlanCull::DisjointCell,
+            Cull::Connected => PlanCull::ConnectedComponent,
+            Cull::Portals => PlanCull::IncidentPortals,
+            Cull::Exact => PlanCull::Exact,
         }
     }
 
-    fn looks_from_a_cell(self) -> bool {
-        match self {
-            What::Visibility => true,
-            What::Cells | What::Splits => false,
-        }
+    fn name(self) -> String {
+        let value = self.to_possible_value().expect("no cull is hidden");
+        value.get_name().to_owned()
     }
 }
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    if args.what.looks_from_a_cell() != args.from.is_some() {
-        return Err(Failure::usage("--from is what a picture of visibility needs, and no other"));
+    let eye = Eye::of(&args)?;
+    let needs = [(args.what == What::Visibility, args.from.is_some(), "--from")];
+    let needs = needs.into_iter().chain([(args.what == What::Eye, eye.is_some(), "--at")]);
+    for (is_needed, is_there, option) in needs {
+        if is_needed != is_there {
+            let verb = if is_needed { "needs" } else { "has no use for" };
+            let what = args.what.name();
+            return Err(Failure::usage(format!("--what {what} {verb} {option}")));
+        }
     }
     files::check_outputs([&args.output])?;
     let input = Input::read(&args.input)?;
-    let picture = match is_sequence(&input.bytes) {
-        true => draw_sequence(&args, &input)?,
-        false => draw_plan(&args, &input)?,
+    let picture = match sequence::is_sequence(&input.bytes) {
+        true => sequence::draw(&args, &input)?,
+        false => draw_plan(&args, &input, eye.as_ref())?,
     };
     files::write(args.output.as_deref(), |out| out.write_all(picture.as_bytes()))?;
     Ok(Exit::Done)
+}
+
+impl What {
+    fn name(self) -> String {
+        let value = self.to_possible_value().expect("no picture is hidden");
+        value.get_name().to_owned()
+    }
+
+    /// What the title says.
+    fn about(self) -> &'static str {
+        match self {
+            What::Cells => "cells, portals, adjacency graph",
+            What::Eye => "eye-to-cell visibility",
+            What::Splits => "splits",
+            What::Visibility => "cell-to-cell visibility",
+        }
+    }
 }
 
 fn options(args: &Args, input: &Input, about: &str) -> SheetOptions {
@@ -93,23 +142,31 @@ fn options(args: &Args, input: &Input, about: &str) -> SheetOptions {
     SheetOptions { title, width: args.width }
 }
 
-fn draw_plan(args: &Args, input: &Input) -> Result<String, Failure> {
+fn draw_plan(args: &Args, input: &Input, eye: Option<&Eye>) -> Result<String, Failure> {
     let planar = plan::read(input, &args.plan, &Silent)?;
-    let graph = planar.graph();
-    let from = args.from.as_ref().map(|name| files::cell_of(&graph.cells, &input.name, name));
+    let cells = &planar.graph().cells;
+    let from = args.from.as_ref().map(|name| files::cell_of(cells, &input.name, name));
     let from = from.transpose()?;
     let options = options(args, input, args.what.about());
     let (sheet, floor) = floor(&planar, &options);
-    match (args.what, from) {
+    match (args.what, &planar) {
         (What::Cells, _) => Ok(draw::draw_cells(sheet, &floor)),
-        (What::Splits, _) => match &planar {
-            Planar::Divided { cells, .. } => Ok(draw::draw_splits(sheet, &floor, &cells.tree)),
-            Planar::Graph(_) => {
-                Err(Failure::file(&input.name, "states cells, which nothing divides"))
-            }
-        },
-        (What::Visibility, Some(from)) => draw_visibility(&planar, sheet, &floor, from),
-        (What::Visibility, None) => unreachable!("checked with the arguments"),
+        (What::Visibility, _) => {
+            let from = from.expect("checked with the arguments");
+            sight::draw_visibility(&planar, sheet, &floor, from)
+        }
+        (What::Splits, Planar::Divided { cells, .. }) => {
+            Ok(draw::draw_splits(sheet, &floor, &cells.tree))
+        }
+        (What::Eye, Planar::Divided { plan, cells }) => {
+            let eye = eye.expect("checked with the arguments");
+            sight::draw_eye(&input.name, (plan, cells), (sheet, &floor), eye, args.cull)
+        }
+        (What::Splits | What::Eye, Planar::Graph(_)) => {
+            let what = args.what.name();
+            let message = format!("states cells without a shape; --what {what} needs a floorplan");
+            Err(Failure::file(&input.name, message))
+        }
     }
 }
 
@@ -118,66 +175,4 @@ fn floor(planar: &Planar, options: &SheetOptions) -> (Sheet, Floor) {
         Planar::Divided { plan, cells } => Floor::of_plan(plan, cells, options),
         Planar::Graph(graph) => Floor::of_graph(graph, options),
     }
-}
-
-fn draw_visibility(
-    planar: &Planar,
-    sheet: Sheet,
-    floor: &Floor,
-    from: CellId,
-) -> Result<String, Failure> {
-    let graph = planar.graph();
-    let (matrix, witnesses) = sights(planar, true, &Silent).ok_or(Failure::Interrupted)?;
-    let sees = |cell: &CellId| matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
-    let visible: Vec<CellId> = floor.cells().filter(sees).collect();
-    let mut lines = Vec::new();
-    for witness in &witnesses {
-        let pair = [witness.from, witness.to].map(CellId);
-        if pair.contains(&from) {
-            let line = on_grid(graph, &witness.line);
-            let portals = witness.portals.clone();
-            lines.push(Sightline { from: pair[0], to: pair[1], portals, line });
-        }
-    }
-    Ok(draw::draw_visibility(sheet, floor, from, &visible, &lines))
-}
-
-/// A line's points in grid units.
-fn on_grid(graph: &PlanGraph, line: &WitnessLine) -> [[Rational; 2]; 2] {
-    let grid = Rational::from(graph.grid.clone());
-    line.points().map(|point| [0, 1].map(|axis| point[axis].to_rational() * &grid))
-}
-
-/// Whether the text says that it is a sequence. Who reads it finds what else is wrong with it.
-fn is_sequence(bytes: &[u8]) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Stated {
-        format: String,
-    }
-    serde_json::from_slice(bytes).is_ok_and(|stated: Stated| stated.format == SEQUENCE_FORMAT)
-}
-
-fn draw_sequence(args: &Args, input: &Input) -> Result<String, Failure> {
-    let wrong = |error: &dyn std::fmt::Display| Failure::file(&input.name, error);
-    let file = SequenceFile::read(&input.bytes).map_err(|error| wrong(&error))?;
-    let portals = match file.points().map_err(|error| wrong(&error))? {
-        SequencePoints::Plane { portals, .. } => portals,
-        SequencePoints::Space { .. } => {
-            return Err(wrong(&"the sequence lies in space, and pictures in the plane"));
-        }
-    };
-    let ends: Vec<[PlanPoint; 2]> = portals
-        .iter()
-        .map(|portal| portal.clone().map(|end| PlanPoint::integer(end.coordinates)))
-        .collect();
-    let hourglass = super::stab::hourglass(portals).map_err(|error| wrong(&error))?;
-    let (line, about) = match hourglass.verdict() {
-        PlaneVerdict::Open(witness) => (SequenceLine::Stabbing(witness.points), "open"),
-        PlaneVerdict::Grazing { touching_line, .. } => {
-            let points = touching_line.map(|point| point.coordinates.map(Rational::from));
-            (SequenceLine::Touching(points), "grazing")
-        }
-        PlaneVerdict::Blocked { .. } => (SequenceLine::Blocked, "blocked"),
-    };
-    Ok(draw::draw_sequence(&ends, &line, &options(args, input, about)))
 }

@@ -1,8 +1,8 @@
 //! What an eye sees under a cull (Teller and Séquin 1991, figures 9, 10, 11c and 11d).
 
-use super::floor::{Floor, stroke};
+use super::floor::Floor;
 use super::palette;
-use super::sheet::{Sample, Sheet};
+use super::sheet::{Pen, Sample, Sheet};
 use super::svg::{Place, number};
 use crate::num::Rational;
 use crate::predicates::PlanPoint;
@@ -34,8 +34,8 @@ pub fn draw_eye(mut sheet: Sheet, floor: &Floor, eye: &PlanPoint, drawing: &EyeD
     let count = |colour: &str| colours.iter().filter(|own| **own == colour).count();
     let [left, culled] = [palette::VISIBLE_NOW, palette::CULLED].map(count);
     floor.draw_cells(&mut sheet, |cell| colours[cell.0 as usize]);
-    let pens = floor.pens(&sheet);
-    let width = number(pens.hair);
+    let sizes = floor.sizes(&sheet);
+    let width = number(sizes.hair);
     let style = [("fill", palette::SEEN), ("stroke", palette::SEEN), ("stroke-width", &width)];
     let regions: Vec<Vec<Place>> = drawing
         .regions
@@ -56,16 +56,14 @@ pub fn draw_eye(mut sheet: Sheet, floor: &Floor, eye: &PlanPoint, drawing: &EyeD
             Some([place, ray.at(leave.max(0.0))])
         })
         .collect();
-    stroke(&mut sheet.svg, (palette::EYE, pens.line, "6 4"), &rays);
-    let ring = number(1.2 * pens.line);
+    sheet.draw_segments(Pen::dashed(palette::EYE, sizes.line), &rays, "view cone");
+    let sheet_width = sheet.width();
+    let ring = number(1.2 * sizes.line);
     let style = [("fill", palette::EYE), ("stroke", palette::CELL), ("stroke-width", &ring)];
-    sheet.svg.group(&style, |svg| svg.circle(place, 3.0 * pens.line));
+    sheet.svg.group(&style, |svg| svg.circle(place, (3.0 * sizes.line).max(sheet_width / 200.0)));
     sheet.explain(Sample::Dot(palette::EYE), "eye");
-    if !rays.is_empty() {
-        sheet.explain(Sample::Line(palette::EYE, pens.line, "6 4"), "view cone");
-    }
     sheet.explain(Sample::Area(palette::SEEN), "visible area");
-    let text = format!("{left} cells left by the cull: {}", drawing.cull);
+    let text = format!("{left} cells left ({})", drawing.cull);
     sheet.explain(Sample::Area(palette::VISIBLE_NOW), text);
     sheet.explain(Sample::Area(palette::CULLED), format!("{culled} cells culled"));
     sheet.finish()

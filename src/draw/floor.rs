@@ -3,8 +3,8 @@
 
 use super::frame::{Frame, box_around, widened};
 use super::palette;
-use super::sheet::{Sample, Sheet, SheetOptions, text_width};
-use super::svg::{Place, Svg, number};
+use super::sheet::{Pen, Sample, Sheet, SheetOptions, text_width};
+use super::svg::{Place, number};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
 use crate::scene::CellId;
@@ -36,7 +36,7 @@ pub struct Floor {
 
 /// Widths and sizes that suit a floor's cells, in units of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pens {
+pub struct Sizes {
     /// Of faces.
     pub face: f64,
     /// Of portals and of lines that are looked at.
@@ -109,14 +109,14 @@ impl Floor {
         }
     }
 
-    /// Pens for this floor on this sheet.
-    pub fn pens(&self, sheet: &Sheet) -> Pens {
+    /// Sizes for this floor on this sheet.
+    pub fn sizes(&self, sheet: &Sheet) -> Sizes {
         let [[x0, y0], [x1, y1]] = sheet.drawing();
         let cells = self.outlines.len().max(1) as f64;
         let typical = ((x1 - x0) * (y1 - y0) / cells).sqrt();
         let width = sheet.width();
         let unit = (typical / 40.0).clamp(width / 900.0, width / 270.0);
-        Pens {
+        Sizes {
             face: unit,
             line: (0.6 * unit).max(width / 1600.0),
             hair: (0.3 * unit).max(width / 2400.0),
@@ -137,7 +137,7 @@ impl Floor {
 
     /// The lowest layer: the box and the cells, each in the colour that `colour` gives it.
     pub fn draw_cells(&self, sheet: &mut Sheet, colour: impl Fn(CellId) -> &'static str) {
-        let pens = self.pens(sheet);
+        let sizes = self.sizes(sheet);
         if self.has_outside {
             let [low, high] = sheet.drawing();
             sheet.svg.group(&[("fill", palette::OUTSIDE)], |svg| {
@@ -152,7 +152,7 @@ impl Floor {
                 colours.push(one);
             }
         });
-        let width = number(pens.hair);
+        let width = number(sizes.hair);
         for colour in colours {
             let style = [("fill", colour), ("stroke", palette::EDGE), ("stroke-width", &width)];
             sheet.svg.group(&style, |svg| {
@@ -164,24 +164,15 @@ impl Floor {
 
     /// The faces, over whatever is there.
     pub fn draw_faces(&self, sheet: &mut Sheet) {
-        let pens = self.pens(sheet);
-        stroke(&mut sheet.svg, (palette::EDGE, pens.line, "2 3"), &self.hints);
-        stroke(&mut sheet.svg, (palette::WALL, pens.face, ""), &self.faces);
-        if !self.hints.is_empty() {
-            sheet.explain(Sample::Line(palette::EDGE, pens.line, "2 3"), "hint");
-        }
-        if !self.faces.is_empty() {
-            sheet.explain(Sample::Line(palette::WALL, pens.face, ""), "face");
-        }
+        let sizes = self.sizes(sheet);
+        sheet.draw_segments(Pen::dashed(palette::EDGE, sizes.line), &self.hints, "hint");
+        sheet.draw_segments(Pen::round(palette::WALL, sizes.face), &self.faces, "face");
     }
 
     /// All portals.
     pub fn draw_portals(&self, sheet: &mut Sheet) {
-        let width = self.pens(sheet).line;
-        stroke(&mut sheet.svg, (palette::PORTAL, width, ""), &self.portals);
-        if !self.portals.is_empty() {
-            sheet.explain(Sample::Line(palette::PORTAL, width, ""), "portal");
-        }
+        let width = self.sizes(sheet).line;
+        sheet.draw_segments(Pen::round(palette::PORTAL, width), &self.portals, "portal");
     }
 
     /// Names of cells: each in the middle of its cell, if there is room for it, or so far below the
@@ -192,7 +183,7 @@ impl Floor {
         below: f64,
         colour: impl Fn(CellId) -> [&'static str; 2],
     ) {
-        let font = self.pens(sheet).font;
+        let font = self.sizes(sheet).font;
         if !self.has_names(sheet) {
             return;
         }
@@ -228,29 +219,13 @@ impl Floor {
 
     /// Whether cells are large enough for names.
     pub fn has_names(&self, sheet: &Sheet) -> bool {
-        self.pens(sheet).font >= sheet.width() / 140.0
+        self.sizes(sheet).font >= sheet.width() / 140.0
     }
 
     /// All cells.
     pub fn cells(&self) -> impl Iterator<Item = CellId> + use<> {
         (0..self.names.len() as u32).map(CellId)
     }
-}
-
-/// Segments of one pen: its colour, its width, and its dashes.
-pub fn stroke(svg: &mut Svg, pen: (&str, f64, &str), segments: &[[Place; 2]]) {
-    let (colour, width, dashes) = pen;
-    let width = number(width);
-    let style = [
-        ("fill", "none"),
-        ("stroke", colour),
-        ("stroke-width", width.as_str()),
-        ("stroke-linecap", if dashes.is_empty() { "round" } else { "butt" }),
-        ("stroke-dasharray", dashes),
-    ];
-    svg.group(&style[..if dashes.is_empty() { 4 } else { 5 }], |svg| {
-        svg.lines(segments.iter().map(<[Place; 2]>::as_slice));
-    });
 }
 
 /// The mean of places; the corner of the picture for none.

@@ -22,10 +22,10 @@ mod visibility;
 
 pub use cells::draw_cells;
 pub use eye::{EyeDrawing, draw_eye};
-pub use floor::{Floor, Pens};
+pub use floor::{Floor, Sizes};
 pub use frame::{Frame, Ray};
 pub use sequence::{SequenceLine, draw_sequence};
-pub use sheet::{DEFAULT_WIDTH, LEAST_WIDTH, Sample, Sheet, SheetOptions};
+pub use sheet::{DEFAULT_WIDTH, LEAST_WIDTH, Pen, Sample, Sheet, SheetOptions, Tip};
 pub use splits::draw_splits;
 pub use svg::{Place, Svg};
 pub use tree::{TreeNode, draw_stab_tree, draw_tree_graph};

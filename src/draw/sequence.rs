@@ -1,10 +1,9 @@
 //! A sequence of segments with the hulls of its left and of its right ends, and a line that parts
 //! them (Teller and Séquin 1991, figure 6).
 
-use super::floor::stroke;
 use super::frame::{box_around, widened};
 use super::palette;
-use super::sheet::{Sample, Sheet, SheetOptions};
+use super::sheet::{Pen, Sample, Sheet, SheetOptions};
 use super::svg::{Place, number};
 use crate::num::{Rational, Sign};
 use crate::predicates::{PlanPoint, compare_coordinates, turn_of_points};
@@ -14,7 +13,7 @@ use crate::predicates::{PlanPoint, compare_coordinates, turn_of_points};
 pub enum SequenceLine {
     /// It passes strictly inside each portal; two points of it.
     Stabbing([[Rational; 2]; 2]),
-    /// It meets each closed portal, and no line does more.
+    /// It meets each closed portal, but no line passes strictly inside all.
     Touching([[Rational; 2]; 2]),
     /// There is none.
     Blocked,
@@ -48,20 +47,24 @@ pub fn draw_sequence(
         .iter()
         .map(|portal| portal.each_ref().map(|end| sheet.frame.place_point(end)))
         .collect();
-    stroke(&mut sheet.svg, (palette::WALL, width, ""), &segments);
-    sheet.explain(Sample::Line(palette::WALL, width, ""), "portal, numbered in its order");
+    let pen = Pen::round(palette::WALL, width);
+    sheet.draw_segments(pen, &segments, "portal, numbered in its order");
     let [[x0, y0], [x1, y1]] = sheet.drawing();
     let paper = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
-    let (points, dashes, text) = match line {
-        SequenceLine::Stabbing(points) => (Some(points), "", "stabbing line"),
-        SequenceLine::Touching(points) => (Some(points), "6 4", "touching line"),
-        SequenceLine::Blocked => (None, "", ""),
+    let drawn = match line {
+        SequenceLine::Stabbing(points) => {
+            Some((points, Pen::round(palette::EYE, 0.7 * width), "stabbing line"))
+        }
+        SequenceLine::Touching(points) => {
+            Some((points, Pen::dashed(palette::EYE, 0.7 * width), "touching line"))
+        }
+        SequenceLine::Blocked => None,
     };
-    let ray = points.and_then(|points| sheet.frame.ray(points));
-    if let Some((ray, ends)) = ray.and_then(|ray| Some((ray, ray.within(&paper)?))) {
-        let [from, to] = ends.map(|end| ray.at(end));
-        stroke(&mut sheet.svg, (palette::EYE, 0.7 * width, dashes), &[[from, to]]);
-        sheet.explain(Sample::Line(palette::EYE, 0.7 * width, dashes), text);
+    if let Some((points, pen, text)) = drawn
+        && let Some(ray) = sheet.frame.ray(points)
+        && let Some(ends) = ray.within(&paper)
+    {
+        sheet.draw_segments(pen, &[ends.map(|end| ray.at(end))], text);
     }
     for (side, colour, text) in sides {
         sheet.svg.group(&[("fill", colour)], |svg| {

@@ -25,10 +25,62 @@ pub const DEFAULT_WIDTH: u32 = 960;
 pub enum Sample {
     /// A filled area.
     Area(&'static str),
-    /// A line: its colour, its width, and its dashes.
-    Line(&'static str, f64, &'static str),
+    /// A line.
+    Line(Pen),
     /// A dot.
     Dot(&'static str),
+}
+
+/// How lines are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pen {
+    /// Their colour.
+    pub colour: &'static str,
+    /// Their width, in units of the picture.
+    pub width: f64,
+    /// How they end and whether they are broken.
+    pub tip: Tip,
+}
+
+/// The ends of lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tip {
+    /// Half a circle beyond the end.
+    Round,
+    /// At the end.
+    Flat,
+    /// At the end, and the line is broken into dashes.
+    Dashed,
+}
+
+impl Pen {
+    /// A pen whose lines end round.
+    pub fn round(colour: &'static str, width: f64) -> Pen {
+        Pen { colour, width, tip: Tip::Round }
+    }
+
+    /// A pen for broken lines.
+    pub fn dashed(colour: &'static str, width: f64) -> Pen {
+        Pen { colour, width, tip: Tip::Dashed }
+    }
+
+    /// Draws lines of two or more places.
+    pub fn draw<'a>(self, svg: &mut Svg, lines: impl IntoIterator<Item = &'a [Place]>) {
+        let (width, dashes) = (number(self.width), dashes(self.width));
+        let mut style =
+            vec![("fill", "none"), ("stroke", self.colour), ("stroke-width", width.as_str())];
+        match self.tip {
+            Tip::Round => style.extend([("stroke-linecap", "round"), ("stroke-linejoin", "round")]),
+            Tip::Flat => {}
+            Tip::Dashed => style.push(("stroke-dasharray", &dashes)),
+        }
+        svg.group(&style, |svg| svg.lines(lines));
+    }
+}
+
+/// Dashes that suit a width.
+fn dashes(width: f64) -> String {
+    format!("{} {}", number(3.0 * width), number(2.0 * width))
 }
 
 /// A sheet that is being drawn on.
@@ -45,7 +97,7 @@ pub struct Sheet {
 }
 
 /// The width of a character, in heights of the font: more than that of most sans-serif fonts.
-const CHARACTER: f64 = 0.62;
+const CHARACTER: f64 = 0.6;
 
 /// A width that text of a font's size will hardly exceed.
 pub fn text_width(text: &str, font: f64) -> f64 {
@@ -72,6 +124,14 @@ impl Sheet {
         let entry = (sample, text.into());
         if !self.legend.contains(&entry) {
             self.legend.push(entry);
+        }
+    }
+
+    /// Draws segments, and explains them if there are any.
+    pub fn draw_segments(&mut self, pen: Pen, segments: &[[Place; 2]], text: &str) {
+        pen.draw(&mut self.svg, segments.iter().map(<[Place; 2]>::as_slice));
+        if !segments.is_empty() {
+            self.explain(Sample::Line(pen), text);
         }
     }
 
@@ -157,13 +217,8 @@ fn draw_sample(svg: &mut Svg, sample: Sample, [x, y]: Place, font: f64) {
                 svg.rectangle([x, y], [1.6 * font, font]);
             });
         }
-        Sample::Line(colour, width, dashes) => {
-            let width = number(width);
-            let style =
-                [("stroke", colour), ("stroke-width", &width), ("stroke-dasharray", dashes)];
-            svg.group(&style[..if dashes.is_empty() { 2 } else { 3 }], |svg| {
-                svg.lines([[[x, middle], [x + 1.6 * font, middle]].as_slice()]);
-            });
+        Sample::Line(pen) => {
+            pen.draw(svg, [[[x, middle], [x + 1.6 * font, middle]].as_slice()]);
         }
         Sample::Dot(colour) => {
             svg.group(&[("fill", colour)], |svg| svg.circle([x + 0.8 * font, middle], 0.4 * font));

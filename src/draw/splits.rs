@@ -1,9 +1,9 @@
 //! The lines that divide a plan, in the order of the tree (after Teller and Séquin 1991, figures 3
 //! and 4).
 
-use super::floor::{Floor, stroke};
+use super::floor::Floor;
 use super::palette;
-use super::sheet::{Sample, Sheet, text_width};
+use super::sheet::{Pen, Sample, Sheet, Tip, text_width};
 use super::svg::{Place, number};
 use crate::subdivision::plan::{Branch, PlanTree};
 
@@ -13,23 +13,22 @@ const NUMBERED: usize = 120;
 /// Draws each split as far as it divides a cell: the first ones widest, and numbered in the order of
 /// depth.
 pub fn draw_splits(mut sheet: Sheet, floor: &Floor, tree: &PlanTree) -> String {
-    let pens = floor.pens(&sheet);
+    let sizes = floor.sizes(&sheet);
     floor.draw_cells(&mut sheet, |_| palette::CELL);
     let splits = splits(&sheet, tree);
-    let deepest = splits.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
-    for depth in 0..=deepest {
-        let own: Vec<[Place; 2]> =
-            splits.iter().filter(|split| split.0 == depth).map(|split| split.1).collect();
-        let width = pens.face * (1.2 + 2.0 / (1.0 + 0.5 * depth as f64));
-        stroke(&mut sheet.svg, (palette::SPLIT, width, ""), &own);
+    let text = format!("{} splits of depth {}, the first ones wide", splits.len(), tree.depth());
+    for same in splits.chunk_by(|one, other| one.0 == other.0) {
+        let own: Vec<[Place; 2]> = same.iter().map(|split| split.1).collect();
+        let width = sizes.face * (1.2 + 2.0 / (1.0 + 0.5 * same[0].0 as f64));
+        let pen = Pen { colour: palette::SPLIT, width, tip: Tip::Flat };
+        pen.draw(&mut sheet.svg, own.iter().map(<[Place; 2]>::as_slice));
     }
     floor.draw_faces(&mut sheet);
     if splits.len() <= NUMBERED {
-        let font = (0.8 * pens.font).min(0.85 * sheet.font()).max(sheet.width() / 120.0);
+        let font = (0.8 * sizes.font).min(0.85 * sheet.font()).max(sheet.width() / 120.0);
         number_splits(&mut sheet, &splits, font);
     }
-    let text = format!("{} splits of depth {}, the first ones wide", splits.len(), tree.depth());
-    sheet.explain(Sample::Line(palette::SPLIT, 2.0 * pens.face, ""), text);
+    sheet.explain(Sample::Line(Pen::round(palette::SPLIT, 2.0 * sizes.face)), text);
     sheet.finish()
 }
 

@@ -2,7 +2,7 @@
 
 use super::floor::{Floor, mean};
 use super::palette;
-use super::sheet::{Sample, Sheet, SheetOptions, text_width};
+use super::sheet::{Pen, Sample, Sheet, SheetOptions, text_width};
 use super::svg::{Place, number};
 use super::visibility::Seen;
 use crate::num::Rational;
@@ -26,7 +26,7 @@ pub fn draw_stab_tree(mut sheet: Sheet, floor: &Floor, nodes: &[TreeNode]) -> St
     let visible: Vec<CellId> = nodes.iter().map(|node| node.cell).collect();
     let seen = Seen::new(floor, root.cell, &visible);
     seen.draw(&mut sheet, floor);
-    let pens = floor.pens(&sheet);
+    let sizes = floor.sizes(&sheet);
     floor.draw_faces(&mut sheet);
     let mut places: Vec<Place> = Vec::with_capacity(nodes.len());
     let mut edges: Vec<[Place; 3]> = Vec::with_capacity(nodes.len());
@@ -41,19 +41,14 @@ pub fn draw_stab_tree(mut sheet: Sheet, floor: &Floor, nodes: &[TreeNode]) -> St
         edges.push([places[before as usize], through, place]);
         places.push(place);
     }
-    let width = number(pens.line);
-    let style = [
-        ("fill", "none"),
-        ("stroke", palette::SIGHT),
-        ("stroke-width", width.as_str()),
-        ("stroke-linejoin", "round"),
-    ];
-    sheet.svg.group(&style, |svg| svg.lines(edges.iter().map(<[Place; 3]>::as_slice)));
+    let width = number(sizes.line);
+    let pen = Pen::round(palette::SIGHT, sizes.line);
+    pen.draw(&mut sheet.svg, edges.iter().map(<[Place; 3]>::as_slice));
     let style = [("fill", palette::SIGHT), ("stroke", palette::CELL), ("stroke-width", &width)];
-    let radius = (2.2 * pens.line).min(pens.node);
+    let radius = (2.2 * sizes.line).min(sizes.node);
     sheet.svg.group(&style, |svg| places.iter().for_each(|&place| svg.circle(place, radius)));
     let what = format!("stab tree, {} nodes", nodes.len());
-    sheet.explain(Sample::Line(palette::SIGHT, pens.line, ""), what);
+    sheet.explain(Sample::Line(pen), what);
     sheet.finish()
 }
 
@@ -90,8 +85,7 @@ pub fn draw_tree_graph(names: &[String], nodes: &[TreeNode], options: &SheetOpti
         .collect();
     let line = sheet.width() / 900.0;
     let segments: Vec<[Place; 2]> = edges.iter().map(|(ends, _)| *ends).collect();
-    super::floor::stroke(&mut sheet.svg, (palette::PORTAL, line, ""), &segments);
-    sheet.explain(Sample::Line(palette::PORTAL, line, ""), "portal, by its number");
+    sheet.draw_segments(Pen::round(palette::PORTAL, line), &segments, "portal, by its number");
     sheet.explain(Sample::Dot(palette::VISIBLE), "cell that a sequence of portals reaches");
     let name = |node: &TreeNode| names[node.cell.0 as usize].as_str();
     let longest = nodes.iter().map(|node| text_width(name(node), 1.0)).fold(1.2, f64::max);

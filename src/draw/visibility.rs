@@ -1,8 +1,8 @@
 //! What one cell sees, with the lines that show it (Teller and Séquin 1991, figures 7 and 11a).
 
-use super::floor::{Floor, Pens, stroke};
+use super::floor::{Floor, Sizes};
 use super::palette;
-use super::sheet::{Sample, Sheet};
+use super::sheet::{Pen, Sample, Sheet};
 use super::svg::{Place, number};
 use crate::num::Rational;
 use crate::scene::CellId;
@@ -30,7 +30,7 @@ pub fn draw_visibility(
 ) -> String {
     let seen = Seen::new(floor, source, visible);
     seen.draw(&mut sheet, floor);
-    let pens = floor.pens(&sheet);
+    let sizes = floor.sizes(&sheet);
     floor.draw_faces(&mut sheet);
     if floor.outlines.iter().any(Vec::is_empty) {
         floor.draw_portals(&mut sheet);
@@ -38,18 +38,15 @@ pub fn draw_visibility(
     let drawn: Vec<(&Sightline, [Place; 2])> =
         lines.iter().filter_map(|line| Some((line, between(&sheet, floor, line)?))).collect();
     let segments: Vec<[Place; 2]> = drawn.iter().map(|(_, ends)| *ends).collect();
-    stroke(&mut sheet.svg, (palette::SIGHT, pens.line, ""), &segments);
+    sheet.draw_segments(Pen::round(palette::SIGHT, sizes.line), &segments, "stabbing line");
     sheet.svg.group(&[("fill", palette::SIGHT)], |svg| {
         for (line, ends) in &drawn {
             let far = if line.from == source { 1 } else { 0 };
-            svg.circle(ends[far], 1.8 * pens.line);
+            svg.circle(ends[far], 1.8 * sizes.line);
         }
     });
     seen.draw_shapeless(&mut sheet, floor);
-    floor.draw_names(&mut sheet, 2.0 * pens.font, |cell| seen.name_colours(floor, cell));
-    if !drawn.is_empty() {
-        sheet.explain(Sample::Line(palette::SIGHT, pens.line, ""), "stabbing line");
-    }
+    floor.draw_names(&mut sheet, 2.0 * sizes.font, |cell| seen.name_colours(floor, cell));
     sheet.finish()
 }
 
@@ -79,7 +76,7 @@ impl Seen {
 
     /// Draws cells without a shape, as dots.
     pub(super) fn draw_shapeless(&self, sheet: &mut Sheet, floor: &Floor) {
-        let Pens { node, hair, .. } = floor.pens(sheet);
+        let Sizes { node, hair, .. } = floor.sizes(sheet);
         let width = number(hair);
         for cell in floor.cells().filter(|&cell| floor.outline(cell).is_empty()) {
             let colour = self.colours[cell.0 as usize];
