@@ -13,13 +13,16 @@ mod plane;
 mod polynomial;
 mod pvs;
 mod sequence;
+mod sweep;
 mod world;
 
-pub use families::{Family, Random, sequence, sequence_2d};
+pub use crate::num::Random;
+pub use families::{Family, sequence, sequence_2d};
 pub use motion::first_contact;
 pub use overlap::overlap;
 pub use plan::{Door, Flat, flat_pairs, flat_seers};
 pub use plane::{PlaneTruth, classify_2d};
 pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};
+pub use sweep::{Star, star};
 pub use world::{Occluders, middle_within};

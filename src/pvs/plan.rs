@@ -17,6 +17,8 @@
 //! which the least vertex wins, so the result does not depend on them.
 
 mod around;
+mod cover;
+mod grazing;
 mod groups;
 mod line;
 mod object;
@@ -27,6 +29,8 @@ mod tests;
 mod view;
 mod witness;
 
+pub use cover::Cover;
+pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
 pub use object::{PlanObjectSight, PlanObjectSights, plan_object_sights};
 pub use stab_tree::{PlanStabNode, PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};
