@@ -76,7 +76,7 @@ pub(crate) enum Side {
 use Side::{Left, Right};
 
 /// An end of a segment, with its side.
-type SidedEnd = (u32, Side);
+pub(super) type SidedEnd = (u32, Side);
 
 /// The hourglass of a growing and shrinking sequence.
 ///
@@ -112,13 +112,13 @@ struct Undo {
 
 /// The ends of the list that are kept: from `first` on to `last`, inclusive, around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Run {
-    first: usize,
-    last: usize,
+pub(super) struct Run {
+    pub(super) first: usize,
+    pub(super) last: usize,
 }
 
 /// What a new end does to the cone.
-enum Cut {
+pub(super) enum Cut {
     Redundant,
     Shrunk(Run),
     Closed,
@@ -238,13 +238,13 @@ impl Chains {
         }
     }
 
-    fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.chains[0].len() + self.chains[1].len()
     }
 
     /// End `i` of the list, which goes around once at most.
     #[inline]
-    fn at(&self, i: usize) -> SidedEnd {
+    pub(super) fn at(&self, i: usize) -> SidedEnd {
         let [left, right] = &self.chains;
         let i = if i >= self.len() { i - self.len() } else { i };
         if i < left.len() {
@@ -264,11 +264,11 @@ impl Chains {
 
     /// The sign of an end on edge `i`.
     #[inline]
-    fn edge(&self, ends: &impl Ends, i: usize, new: SidedEnd) -> Sign {
+    pub(super) fn edge(&self, ends: &impl Ends, i: usize, new: SidedEnd) -> Sign {
         self.sign(ends, i, i + 1, new)
     }
 
-    fn cut(&self, ends: &impl Ends, new: SidedEnd, place: Place) -> Cut {
+    pub(super) fn cut(&self, ends: &impl Ends, new: SidedEnd, place: Place) -> Cut {
         if self.len() == 2 {
             return self.cut_pair(ends, new);
         }
@@ -422,6 +422,3 @@ impl Chains {
         self.chains[own].insert(before, end, after, &mut undo[own]);
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,7 +1,8 @@
-use super::*;
-use crate::num::Int;
+use super::chains::Side::{Left, Right};
+use super::chains::{Chains, Cut, Ends, Place, Run, SidedEnd};
+use crate::num::{Int, Sign};
 use crate::oracle::{Family, Random, classify_2d, sequence_2d};
-use crate::predicates::PlanPoint;
+use crate::predicates::{PlanPoint, PlanPoints};
 
 /// The edges that are kept, by looking at each; `None` for an end that changes nothing.
 fn kept_edges(chains: &Chains, ends: &PlanPoints, new: SidedEnd) -> Option<Vec<usize>> {
