@@ -31,6 +31,7 @@
 
 mod answer;
 pub(crate) mod chains;
+mod window;
 
 pub use answer::{End, EndTerm, PlaneVerdict, PlaneWitness};
 
