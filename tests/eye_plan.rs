@@ -66,7 +66,7 @@ fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<Tr
     }
     let points = &cells.graph.points;
     let denominators = (0..points.len() as u32).map(|point| points.get(point).numbers()[2].clone());
-    let common = denominators.fold(Int::one(), |common, w| num_integer::lcm(common, w));
+    let common = denominators.fold(Int::one(), num_integer::lcm);
     let (hourglass, path, tree) = (Hourglass::new(), Vec::new(), Vec::new());
     let mut search = Search { cells, crossings, common, hourglass, path, tree };
     search.visit(source, None);

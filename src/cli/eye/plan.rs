@@ -6,9 +6,8 @@ use super::super::numbers::numbers;
 use super::super::plan::{self, Planar};
 use super::{Args, Method};
 use crate::eye::half_tangent;
-use crate::eye::plan::{CellSight, EyePlan, PlanCull, ViewCone, Walk};
+use crate::eye::plan::{CellSight, EyePlan, PlanCull, PlanPlaceError, ViewCone, Walk};
 use crate::num::Rational;
-use crate::predicates::PlanPoint;
 use crate::pvs::plan::{Groups, plan_matrix};
 use crate::report::{EyePlanReport, InputId, Silent, Verdict};
 use crate::scene::CellId;
@@ -22,29 +21,26 @@ pub(super) fn run(args: &Args, input: &Input) -> Result<Exit, Failure> {
     if args.regions && cull != PlanCull::Exact {
         return Err(Failure::usage("--regions needs the exact cull"));
     }
-    let Planar::Divided { plan, cells } = plan::read(input, &args.plan, &Silent)? else {
-        return Err(Failure::file(
-            &input.name,
-            "a graph of the plane does not say where its cells \
-             end: an eye needs a floorplan",
-        ));
+    let Planar::Divided { plan, cells, level } = plan::read(input, &args.plan, &Silent)? else {
+        let what =
+            "a graph of the plane does not say where its cells end: an eye needs a floorplan";
+        return Err(Failure::file(&input.name, what));
     };
     let eyes = EyePlan::new(&plan, &cells);
-    let mut walk = Walk::new(&eyes, |_| ());
+    let id = InputId::new(&input.file_name(), &input.bytes);
+    let area = (&eyes.whole_area()).into();
+    let mut report = EyePlanReport::new(id, cull.name(), cone.as_ref().map(ViewCone::report), area);
     let sights = match cull {
         PlanCull::Exact => None,
         _ => Some(Sights::of(&cells.graph)?),
     };
-    let id = InputId::new(&input.file_name(), &input.bytes);
-    let area = (&eyes.whole_area()).into();
-    let lens = cone.as_ref().map(ViewCone::report);
-    let mut report = EyePlanReport::new(id, cull.name(), lens, area);
-    let grid = Rational::from(plan.grid.clone());
+    let mut walk = Walk::new(&eyes, |_| ());
     for point in &points {
-        let eye = PlanPoint::from_coordinates(&point.each_ref().map(|c| c * &grid));
-        let refused =
-            |error| Failure::file(&input.name, format!("({} {}): {error}", point[0], point[1]));
-        let step = walk.step(eye, cone.as_ref()).map_err(refused)?;
+        let eye = eyes.grid_point(point);
+        let step = walk.step(eye, cone.as_ref()).map_err(|error| {
+            let why = why(&error, level.is_some());
+            Failure::file(&input.name, format!("({} {}): {why}", point[0], point[1]))
+        })?;
         let place = walk.place().expect("a walk that has made a step is somewhere");
         let known = sights.as_ref().map(|sights| sights.of_cell(place.cell())).unwrap_or_default();
         let view = eyes.view(place, cone.as_ref());
@@ -54,6 +50,16 @@ pub(super) fn run(args: &Args, input: &Input) -> Result<Exit, Failure> {
     }
     files::print(&if args.json { report.to_json() } else { report.to_text() })?;
     Ok(Exit::Done)
+}
+
+/// Why an eye has no view, in the words of its input.
+fn why(error: &PlanPlaceError, is_level: bool) -> String {
+    match error {
+        PlanPlaceError::OnWall { segment } if is_level => {
+            format!("the eye is on a wall: linedef {segment}")
+        }
+        error => error.to_string(),
+    }
 }
 
 /// What has no meaning in the plane.
