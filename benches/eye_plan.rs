@@ -17,7 +17,6 @@ use stabline::predicates::PlanPoint;
 use stabline::report::Silent;
 use stabline::scene::plan::{Plan, RawPlan, RawSegment};
 use stabline::subdivision::plan::{PlanMethod, divide};
-use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
@@ -191,18 +190,18 @@ impl Sweep {
             }
         }
         events.sort_by(|a, b| a.angle.total_cmp(&b.angle).then(a.starts.cmp(&b.starts)));
-        let by_distance = |a: &usize, b: &usize, angle: f64| -> Ordering {
-            let ray = [angle.cos(), angle.sin()];
-            self.distance(eye, ray, *a).total_cmp(&self.distance(eye, ray, *b))
-        };
         let ahead = 1e-7;
-        active.sort_by(|a, b| by_distance(a, b, -PI + ahead));
+        let ray = |angle: f64| [angle.cos(), angle.sin()];
+        let first = ray(-PI + ahead);
+        let distance = |wall: &usize| self.distance(eye, first, *wall);
+        active.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
         let (mut area, mut since) = (0.0, -PI);
         for Event { angle, wall, starts } in events {
             let before = active.first().copied();
             if starts {
-                let at = active
-                    .partition_point(|other| by_distance(other, &wall, angle + ahead).is_lt());
+                let ray = ray(angle + ahead);
+                let distance = self.distance(eye, ray, wall);
+                let at = active.partition_point(|&near| self.distance(eye, ray, near) < distance);
                 active.insert(at, wall);
             } else if let Some(at) = active.iter().position(|other| *other == wall) {
                 active.remove(at);

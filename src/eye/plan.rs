@@ -24,7 +24,7 @@ mod search;
 mod walk;
 
 pub use cone::ViewCone;
-pub use cull::{CellSight, PlanCull, TreeVertex};
+pub use cull::{CellSight, PlanCull};
 pub use place::{PlanPlace, PlanPlaceError};
 pub use region::PlanRegion;
 pub use search::{PlanSeen, PlanSequences, PlanView};
