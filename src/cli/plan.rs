@@ -1,51 +1,72 @@
 //! Inputs of two dimensions: floorplans, divided on the way, and graphs of the plane.
 
+use super::doom::{self, DoomLevel};
 use super::exit::Failure;
 use super::files::Input;
-use crate::num::parse_decimal;
+use crate::num::{Number, Rational};
 use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::report::Progress;
 use crate::scene::plan::{Plan, PlanGraph, PlanInput, read_plan};
 use crate::scene::world::InputKind;
 use crate::subdivision::plan::{PlanDivisionError, PlanMethod, PlanTree, divide};
 use num_traits::Signed;
-use std::fmt::Display;
 
 /// How a floorplan is divided into cells.
 #[derive(Clone, Debug, clap::Args)]
-#[command(next_help_heading = "Floorplans")]
 pub(super) struct PlanArgs {
-    /// Divide a floorplan of horizontal and vertical segments by a k-D tree, as Teller and Séquin
-    /// do, and not by a BSP tree
+    /// Divide a floorplan of axial segments by a k-D tree instead of a BSP tree
     #[arg(long)]
     kd: bool,
-    /// A line of the k-D tree splits a cell only if the segments on it are longer in sum than this
-    /// (a decimal or ratio), or one of them runs across the cell
-    #[arg(long, value_name = "LENGTH", requires = "kd")]
-    kd_threshold: Option<String>,
+    /// A k-D split that no segment spans a cell along needs a length of segments on it above this
+    /// (world units, such as 5/2); segments that are left inside of cells do not occlude
+    #[arg(long, value_name = "LENGTH", requires = "kd", value_parser = parse_length)]
+    kd_threshold: Option<Rational>,
+}
+
+fn parse_length(text: &str) -> Result<Rational, String> {
+    match Number::parse(text).map(|number| number.to_rational()) {
+        Ok(length) if !length.is_negative() => Ok(length),
+        Ok(_) | Err(_) => Err(format!("expected a length such as 5/2, not {text:?}")),
+    }
 }
 
 impl PlanArgs {
-    fn method(&self) -> Result<PlanMethod, Failure> {
-        if !self.kd {
-            return Ok(PlanMethod::Bsp);
+    fn method(&self) -> PlanMethod {
+        match self.kd {
+            true => PlanMethod::Kd { threshold: self.kd_threshold.clone().unwrap_or_default() },
+            false => PlanMethod::Bsp,
         }
-        let text = self.kd_threshold.as_deref().unwrap_or("0");
-        let usage =
-            |what: &dyn Display| Failure::usage(format!("--kd-threshold: `{text}`: {what}"));
-        let threshold = parse_decimal(text).map_err(|error| usage(&error))?;
-        if threshold.is_negative() {
-            return Err(usage(&"expected a length, at least 0"));
+    }
+
+    /// Divides a plan into cells.
+    pub(super) fn divide(
+        &self,
+        input: &Input,
+        plan: &Plan,
+        progress: &dyn Progress,
+    ) -> Result<PlanTree, Failure> {
+        let tree = divide(plan, &self.method(), progress).map_err(|error| match error {
+            PlanDivisionError::Interrupted => Failure::Interrupted,
+            PlanDivisionError::NotAxial { .. } => {
+                Failure::file(&input.name, format!("{error}; without --kd any segments will do"))
+            }
+        })?;
+        if !tree.left_inside.is_empty() {
+            eprintln!(
+                "{}: {} segments are left inside of cells, where they do not occlude: what is \
+                 open is an upper bound",
+                input.name,
+                tree.left_inside.len()
+            );
         }
-        Ok(PlanMethod::Kd { threshold })
+        Ok(tree)
     }
 
     /// The options that are not the default, as they are written.
     pub(super) fn stated(&self) -> String {
-        let threshold = self.kd_threshold.as_ref();
-        let threshold = threshold.map(|length| format!("--kd-threshold {}", length.trim()));
-        let kd = self.kd.then(|| "--kd".to_owned());
-        kd.into_iter().chain(threshold).collect::<Vec<_>>().join(" ")
+        let threshold = self.kd_threshold.as_ref().map(|t| format!(" --kd-threshold {t}"));
+        let kd = if self.kd { "--kd" } else { "" };
+        format!("{kd}{}", threshold.unwrap_or_default())
     }
 }
 
@@ -57,12 +78,22 @@ pub(super) enum Planar {
         plan: Box<Plan>,
         /// Its cells.
         cells: Box<PlanCells>,
+        /// What else it is, if it is a Doom level.
+        level: Option<Box<DoomLevel>>,
     },
     /// A graph, as it is stated.
     Graph(Box<PlanGraph>),
 }
 
 impl Planar {
+    /// What else a Doom level is.
+    pub(super) fn level(&self) -> Option<&DoomLevel> {
+        match self {
+            Planar::Divided { level, .. } => level.as_deref(),
+            Planar::Graph(_) => None,
+        }
+    }
+
     /// Its cells and portals.
     pub(super) fn graph(&self) -> &PlanGraph {
         match self {
@@ -87,47 +118,52 @@ pub(super) fn read(
     args: &PlanArgs,
     progress: &dyn Progress,
 ) -> Result<Planar, Failure> {
+    if input.map.is_some() {
+        let (plan, cells, level) = doom::read(input, args, progress)?;
+        let level = Some(Box::new(level));
+        return Ok(Planar::Divided { plan: Box::new(plan), cells: Box::new(cells), level });
+    }
     match read_plan(&input.name, &input.bytes)? {
         PlanInput::Graph(graph) => Ok(Planar::Graph(graph)),
         PlanInput::Plan(plan) => {
-            report_repairs(input, &plan);
-            let divided = divide(&plan, &args.method()?, progress);
-            let tree = divided.map_err(|error| match error {
-                PlanDivisionError::Interrupted => Failure::Interrupted,
-                PlanDivisionError::NotAxial { .. } => {
-                    let what = format!("{error}; without --kd a BSP tree divides it");
-                    Failure::file(&input.name, what)
-                }
-            })?;
-            report_left_inside(input, &plan, &tree);
+            let tree = args.divide(input, &plan, progress)?;
             // A stated box may be smaller than the plan; then ways out of it are no leaks.
             let cells = cells_of_plan(&plan, tree, !plan.has_view)
-                .map_err(|leak| Failure::file(&input.name, leak))?;
-            Ok(Planar::Divided { plan, cells: Box::new(cells) })
+                .map_err(|error| Failure::file(&input.name, error))?;
+            report_oddities(input, &plan, &cells);
+            Ok(Planar::Divided { plan, cells: Box::new(cells), level: None })
         }
     }
 }
 
-fn report_repairs(input: &Input, plan: &Plan) {
-    let zero_length = plan.repairs.zero_length.iter();
-    report_segments(input, "of zero length left out", zero_length.copied().collect());
-}
+/// How many oddities of a kind a message lists.
+const LISTED: usize = 5;
 
-/// Segments that the cells hold in their inside hide nothing.
-fn report_left_inside(input: &Input, plan: &Plan, tree: &PlanTree) {
-    let left = tree.left_inside.iter().map(|&segment| plan.segments[segment as usize].source);
-    report_segments(
-        input,
-        "left inside of cells by the threshold, where they hide nothing",
-        left.collect(),
-    );
-}
-
-fn report_segments(input: &Input, what: &str, segments: Vec<u32>) {
-    if segments.is_empty() {
-        return;
+fn report_oddities(input: &Input, plan: &Plan, cells: &PlanCells) {
+    // Segments by their number in the input.
+    let name = |&segment: &u32| plan.segments[segment as usize].source;
+    let pair = |pair: &[u32; 2]| {
+        let [a, b] = pair.each_ref().map(name);
+        format!("{a} and {b}")
+    };
+    let at = |(both, point): &([u32; 2], u32)| {
+        let [x, y] = cells.graph.world(*point);
+        format!("{} at ({x} {y})", pair(both))
+    };
+    let listed = [
+        (
+            "segments of zero length left out",
+            plan.repairs.zero_length.iter().map(u32::to_string).collect::<Vec<_>>(),
+        ),
+        ("pairs of segments overlap", cells.meets.overlapping.iter().map(pair).collect()),
+        (
+            "pairs of segments cross, and are split there",
+            cells.meets.crossing.iter().map(at).collect(),
+        ),
+    ];
+    for (what, all) in listed.iter().filter(|(_, all)| !all.is_empty()) {
+        let shown = all.iter().take(LISTED).map(String::as_str).collect::<Vec<_>>().join(", ");
+        let more = if all.len() > LISTED { ", …" } else { "" };
+        eprintln!("{}: {} {what}: {shown}{more}", input.name, all.len());
     }
-    let shown: Vec<String> = segments.iter().take(10).map(u32::to_string).collect();
-    let more = if segments.len() > shown.len() { ", …" } else { "" };
-    eprintln!("{}: {} segments {what}: {}{more}", input.name, segments.len(), shown.join(", "));
 }
