@@ -30,6 +30,7 @@ mod cone;
 mod describe;
 mod frustum;
 mod locate;
+pub mod plan;
 pub mod propose;
 mod region;
 mod search;

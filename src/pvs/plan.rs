@@ -21,6 +21,8 @@ mod cover;
 mod grazing;
 mod groups;
 mod line;
+mod object;
+mod stab_tree;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -30,4 +32,9 @@ mod witness;
 pub use cover::Cover;
 pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
+pub use object::{PlanObjectSight, PlanObjectSights, plan_object_sights};
+pub use stab_tree::{PlanStabNode, PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
+
+/// Portals as they are crossed, one after the other.
+type Ways = [crate::scene::plan::Crossing];

@@ -128,7 +128,7 @@ fn sweep(
 ) -> Found {
     let (crossings, groups) = (graph.crossings(), cover.groups());
     let (mut matrix, sights) = match wants_witnesses {
-        true => plan_sights(graph, &crossings, groups, progress)?,
+        true => plan_sights(graph, &crossings, groups, &|_, _| true, progress)?,
         false => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
     };
     if args.grazing {

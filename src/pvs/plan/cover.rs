@@ -50,6 +50,12 @@ impl Cover {
         &self.groups
     }
 
+    /// Whether a pair of groups tells of a pair of sets.
+    pub fn tells_of(&self, [g, h]: [u32; 2], [from, to]: [u32; 2]) -> bool {
+        let [g, h] = [g, h].map(|group| &self.sets_of_group[group as usize]);
+        (g.contains(&from) && h.contains(&to)) || (g.contains(&to) && h.contains(&from))
+    }
+
     /// The verdict of each pair of sets from those of the groups: a pair is open if any of its
     /// groups are.
     ///

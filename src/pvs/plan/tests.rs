@@ -9,7 +9,7 @@ use crate::scene::plan::{Plan, PlanGraph, RawPlan, RawSegment};
 use crate::subdivision::plan::{PlanMethod, divide};
 use num_traits::{Signed, Zero};
 
-fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
+pub(super) fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     let number = |c: i64| Number::Small(c, 1);
     let segments = segments
         .iter()
@@ -17,7 +17,7 @@ fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     Plan::from_raw(&RawPlan { segments: segments.collect(), ..RawPlan::default() }).unwrap()
 }
 
-fn cells(plan: &Plan) -> PlanCells {
+pub(super) fn cells(plan: &Plan) -> PlanCells {
     let tree = divide(plan, &PlanMethod::Bsp, &Silent).unwrap();
     cells_of_plan(plan, tree, false).unwrap()
 }
@@ -66,7 +66,7 @@ fn compare(segments: &[[[i64; 2]; 2]]) -> (u64, u64) {
     let graph = &cells.graph;
     let crossings = graph.crossings();
     let groups = Groups::cells(graph.cells.len());
-    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &Silent).unwrap();
+    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &|_, _| true, &Silent).unwrap();
     assert_eq!(matrix, plan_matrix(graph, &crossings, &groups, &Silent).unwrap());
     check_sights(graph, &groups, &matrix, &sights);
     let expected = matrix_in_space(graph);
@@ -156,7 +156,7 @@ fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
 fn grazing_pairs_are_those_of_all_sequences() {
     let mut random = Random::new(12);
     let mut grazing = 0;
-    for round in 0..120 {
+    for round in 0..800 {
         let mut segments = Vec::new();
         let count = random.between(2, if round % 2 == 0 { 7 } else { 5 });
         while segments.len() < count as usize {
