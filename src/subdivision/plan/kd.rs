@@ -23,9 +23,9 @@
 //! and O(f) for the choice and for the split of a cell with f faces. The whole is O(n lg n) where
 //! splits are balanced and cleave few, as in architecture; O(n²) where each cuts off one face.
 
+use super::PlanDivisionError;
 use super::axial::{AxialFace, Extents, FaceClass, classify};
 use super::build::{Builder, Contents};
-use super::PlanDivisionError;
 use crate::num::{Int, Rational};
 use crate::predicates::compare_coordinates;
 use crate::scene::plan::Plan;
@@ -159,9 +159,8 @@ fn ranks(plan: &Plan) -> ([Vec<u32>; 2], [Vec<Int>; 2]) {
     let mut coordinates = [Vec::new(), Vec::new()];
     let ranks = [0, 1].map(|d| {
         let mut order: Vec<u32> = (0..plan.points.len() as u32).collect();
-        let compare = |p: u32, q: u32| {
-            compare_coordinates(d, plan.points.get(p), plan.points.get(q))
-        };
+        let compare =
+            |p: u32, q: u32| compare_coordinates(d, plan.points.get(p), plan.points.get(q));
         order.sort_by(|&p, &q| compare(p, q));
         let mut ranks = vec![0; order.len()];
         for (i, &point) in order.iter().enumerate() {
@@ -180,9 +179,8 @@ impl AxialCell<'_> {
     /// The median face of those that span the cell, in the dimension that has more of them.
     fn median_spanning(&self) -> Option<Abscissa> {
         let spanning = [0, 1].map(|d| -> Vec<u32> {
-            let spans = |&&face: &&u32| {
-                self.axial.class(d, face, &self.extents) == FaceClass::Spanning
-            };
+            let spans =
+                |&&face: &&u32| self.axial.class(d, face, &self.extents) == FaceClass::Spanning;
             self.faces[d].by_abscissa.iter().filter(spans).copied().collect()
         });
         let dimension = usize::from(spanning[1].len() > spanning[0].len());
