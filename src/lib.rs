@@ -4,6 +4,7 @@ pub mod audit;
 pub mod cli;
 pub mod construct;
 pub mod csg;
+pub mod draw;
 pub mod eye;
 pub mod formats;
 pub mod geom;

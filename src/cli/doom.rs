@@ -9,7 +9,6 @@ use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::pvs::plan::Cover;
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::plan::{DoomOddity, Plan, plan_of_map};
-use crate::subdivision::plan::divide;
 use std::path::{Path, PathBuf};
 
 /// What a map has that other plans do not.
@@ -105,7 +104,7 @@ pub(super) fn read(
 ) -> Result<(Plan, PlanCells, DoomLevel), Failure> {
     let map = map_of(input)?;
     let doom = plan_of_map(&map).map_err(|error| Failure::file(&input.name, error))?;
-    let tree = divide(&doom.plan, &args.method(), progress).ok_or(Failure::Interrupted)?;
+    let tree = args.divide(input, &doom.plan, progress)?;
     let cells =
         cells_of_plan(&doom.plan, tree, false).map_err(|leak| Failure::file(&input.name, leak))?;
     let areas = DoomAreas::of(&doom, &cells);

@@ -59,13 +59,18 @@ pub(super) fn file_name(path: &Path) -> String {
 
 /// The cell of the graph in `file` that an argument names: by its name, or by its number.
 pub(super) fn cell(graph: &PortalGraph, file: &str, text: &str) -> Result<CellId, Failure> {
-    let by_name = graph.cells.iter().position(|name| name == text);
-    let by_number = || text.parse().ok().filter(|&index: &usize| index < graph.cells.len());
+    cell_of(&graph.cells, file, text)
+}
+
+/// The same, of cells by their names.
+pub(super) fn cell_of(cells: &[String], file: &str, text: &str) -> Result<CellId, Failure> {
+    let by_name = cells.iter().position(|name| name == text);
+    let by_number = || text.parse().ok().filter(|&index: &usize| index < cells.len());
     match by_name.or_else(by_number) {
         Some(index) => Ok(CellId(index as u32)),
         None => Err(Failure::usage(format!(
             "no cell {text:?} in {file}, expected a name or a number below {}",
-            graph.cells.len()
+            cells.len()
         ))),
     }
 }

@@ -10,6 +10,7 @@ mod check;
 mod csg;
 mod division;
 mod doom;
+mod draw;
 mod exit;
 mod export;
 mod eye;
@@ -50,6 +51,7 @@ enum Command {
     Bsp(Box<bsp::Args>),
     Check(check::Args),
     Csg(csg::Args),
+    Draw(draw::Args),
     Export(export::Args),
     Eye(eye::Args),
     Move(motion::Args),
@@ -66,6 +68,7 @@ impl Command {
             Command::Bsp(args) => bsp::run(*args),
             Command::Check(args) => check::run(args),
             Command::Csg(args) => csg::run(args),
+            Command::Draw(args) => draw::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
             Command::Move(args) => motion::run(args),

@@ -3,24 +3,70 @@
 use super::doom::{self, DoomLevel};
 use super::exit::Failure;
 use super::files::Input;
+use crate::num::{Number, Rational};
 use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::report::Progress;
 use crate::scene::plan::{Plan, PlanGraph, PlanInput, read_plan};
 use crate::scene::world::InputKind;
-use crate::subdivision::plan::{PlanMethod, divide};
+use crate::subdivision::plan::{PlanDivisionError, PlanMethod, PlanTree, divide};
+use num_traits::Signed;
 
 /// How a floorplan is divided into cells.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct PlanArgs {}
+pub(super) struct PlanArgs {
+    /// Divide a floorplan of axial segments by a k-D tree instead of a BSP tree
+    #[arg(long)]
+    kd: bool,
+    /// A k-D split that no segment spans a cell along needs a length of segments on it above this
+    /// (world units, such as 5/2); segments that are left inside of cells do not occlude
+    #[arg(long, value_name = "LENGTH", requires = "kd", value_parser = parse_length)]
+    kd_threshold: Option<Rational>,
+}
+
+fn parse_length(text: &str) -> Result<Rational, String> {
+    match Number::parse(text).map(|number| number.to_rational()) {
+        Ok(length) if !length.is_negative() => Ok(length),
+        Ok(_) | Err(_) => Err(format!("expected a length such as 5/2, not {text:?}")),
+    }
+}
 
 impl PlanArgs {
-    pub(super) fn method(&self) -> PlanMethod {
-        PlanMethod::Bsp
+    fn method(&self) -> PlanMethod {
+        match self.kd {
+            true => PlanMethod::Kd { threshold: self.kd_threshold.clone().unwrap_or_default() },
+            false => PlanMethod::Bsp,
+        }
+    }
+
+    /// Divides a plan into cells.
+    pub(super) fn divide(
+        &self,
+        input: &Input,
+        plan: &Plan,
+        progress: &dyn Progress,
+    ) -> Result<PlanTree, Failure> {
+        let tree = divide(plan, &self.method(), progress).map_err(|error| match error {
+            PlanDivisionError::Interrupted => Failure::Interrupted,
+            PlanDivisionError::NotAxial { .. } => {
+                Failure::file(&input.name, format!("{error}; without --kd any segments will do"))
+            }
+        })?;
+        if !tree.left_inside.is_empty() {
+            eprintln!(
+                "{}: {} segments are left inside of cells, where they do not occlude: what is \
+                 open is an upper bound",
+                input.name,
+                tree.left_inside.len()
+            );
+        }
+        Ok(tree)
     }
 
     /// The options that are not the default, as they are written.
     pub(super) fn stated(&self) -> String {
-        String::new()
+        let threshold = self.kd_threshold.as_ref().map(|t| format!(" --kd-threshold {t}"));
+        let kd = if self.kd { "--kd" } else { "" };
+        format!("{kd}{}", threshold.unwrap_or_default())
     }
 }
 
@@ -80,7 +126,7 @@ pub(super) fn read(
     match read_plan(&input.name, &input.bytes)? {
         PlanInput::Graph(graph) => Ok(Planar::Graph(graph)),
         PlanInput::Plan(plan) => {
-            let tree = divide(&plan, &args.method(), progress).ok_or(Failure::Interrupted)?;
+            let tree = args.divide(input, &plan, progress)?;
             // A stated box may be smaller than the plan; then ways out of it are no leaks.
             let cells = cells_of_plan(&plan, tree, !plan.has_view)
                 .map_err(|error| Failure::file(&input.name, error))?;

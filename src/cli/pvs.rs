@@ -2,7 +2,7 @@
 
 mod keep;
 mod objects;
-mod plan;
+pub(super) mod plan;
 mod summary;
 mod tree;
 

@@ -50,7 +50,8 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     files::print(&text).map(|()| Exit::Done)
 }
 
-fn hourglass(portals: Vec<[BigPoint2; 2]>) -> Result<Hourglass, String> {
+/// The hourglass of a sequence in the plane.
+pub(super) fn hourglass(portals: Vec<[BigPoint2; 2]>) -> Result<Hourglass, String> {
     let mut hourglass = Hourglass::new();
     for (index, [left, right]) in portals.into_iter().enumerate() {
         if left == right {

@@ -23,6 +23,10 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
+    (
+        "draw",
+        &["num", "geom", "predicates", "stab", "scene", "subdivision", "portal", "pvs", "eye"],
+    ),
     ("oracle", &["num", "geom"]),
     (
         "cli",
@@ -41,6 +45,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "eye",
             "motion",
             "audit",
+            "draw",
         ],
     ),
 ];

@@ -38,12 +38,15 @@ fn normal(path: &Path) -> String {
 /// The formats of scenes.
 pub const SCENE_ENDINGS: &[&str] = &["json", "map", "obj", "glb"];
 
-/// Snapshots without their scene, and snapshots that wait for a review.
+/// Snapshots without their scene, and snapshots that wait for a review. Several of one scene have
+/// a suffix: `name@suffix.snap`.
 pub fn orphan_snapshots(snapshots: &[String], exists: impl Fn(&str) -> bool) -> Vec<String> {
     let mut wrong = Vec::new();
     for path in snapshots {
         let scene = PathBuf::from(path.replacen("snapshots/", "scenes/", 1));
-        let of = |ending: &str| normal(&scene.with_extension(ending));
+        let stem = scene.with_extension("").to_string_lossy().into_owned();
+        let stem = stem.split('@').next().unwrap_or_default().to_owned();
+        let of = |ending: &str| normal(Path::new(&format!("{stem}.{ending}")));
         if path.ends_with(".new") {
             wrong.push(format!("{path}: review it (`cargo insta review`)"));
         } else if !SCENE_ENDINGS.iter().any(|ending| exists(&of(ending))) {
@@ -152,8 +155,14 @@ fn links_orphans_and_scenes_are_judged() {
     assert!(dead_links("docs/formats/x.md", "[a](../a.md)", exists).is_empty());
 
     let exists = |path: &str| path == "scenes/pvs/a_b.json";
-    let snapshots = ["snapshots/pvs/a_b.snap", "snapshots/pvs/c.snap", "snapshots/pvs/d.snap.new"];
-    assert_eq!(orphan_snapshots(&snapshots.map(str::to_owned), exists).len(), 2);
+    let snapshots = [
+        "snapshots/pvs/a_b.snap",
+        "snapshots/pvs/a_b@more.snap",
+        "snapshots/pvs/c.snap",
+        "snapshots/pvs/c@a_b.snap",
+        "snapshots/pvs/d.snap.new",
+    ];
+    assert_eq!(orphan_snapshots(&snapshots.map(str::to_owned), exists).len(), 3);
 
     let programs = ["read(\"scenes/pvs\")".to_owned()];
     assert!(scene("scenes/pvs/a_b.json", "{\"about\": \"x\"}", &programs).is_empty());

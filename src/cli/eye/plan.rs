@@ -22,7 +22,7 @@ pub(super) fn run(args: &Args, input: &Input) -> Result<Exit, Failure> {
     if args.regions && cull != PlanCull::Exact {
         return Err(Failure::usage("--regions needs the exact cull"));
     }
-    let Planar::Divided { plan, cells } = plan::read(input, &args.plan, &Silent)? else {
+    let Planar::Divided { plan, cells, .. } = plan::read(input, &args.plan, &Silent)? else {
         return Err(Failure::file(
             &input.name,
             "a graph of the plane does not say where its cells \

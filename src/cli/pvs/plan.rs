@@ -28,12 +28,9 @@ pub(super) fn run(
         ));
     }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
-    let found = on_threads(args, |watch| match &planar {
-        Planar::Graph(graph) => search(graph, watch),
-        Planar::Divided { .. } => {
-            sweep(args, planar.graph(), &cover(args, &planar), wants_witnesses, watch)
-        }
-    })?;
+    let wants = Wants { witnesses: wants_witnesses, grazing: args.grazing };
+    let level = sectors_asked(args, &planar);
+    let found = on_threads(args, |watch| sights(&planar, level, wants, watch))?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
     clock.lap("search");
     let cells = match sectors_asked(args, &planar) {
@@ -66,14 +63,6 @@ pub(super) fn run(
 /// The Doom level whose sectors are asked about, if they are.
 fn sectors_asked<'p>(args: &Args, planar: &'p Planar) -> Option<&'p DoomLevel> {
     planar.level().filter(|_| args.cells == CellsArg::Sectors)
-}
-
-/// What is asked about: the sectors of a level, or the cells.
-fn cover(args: &Args, planar: &Planar) -> Cover {
-    match sectors_asked(args, planar) {
-        Some(level) => level.cover(),
-        None => Cover::cells(planar.graph().cells.len()),
-    }
 }
 
 /// The options that are not the default, as they are written.
@@ -117,24 +106,41 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
 }
 
 /// `None` if interrupted.
-type Found = Option<(Matrix, Vec<PairWitness>)>;
+pub(in crate::cli) type Found = Option<(Matrix, Vec<PairWitness>)>;
 
-fn sweep(
-    args: &Args,
-    graph: &PlanGraph,
-    cover: &Cover,
-    wants_witnesses: bool,
+/// What is asked for besides open or not open.
+#[derive(Clone, Copy)]
+pub(in crate::cli) struct Wants {
+    /// A line for each open pair.
+    pub(in crate::cli) witnesses: bool,
+    /// Which of the other pairs are grazing.
+    pub(in crate::cli) grazing: bool,
+}
+
+/// Which cells see which, or which sectors of a level.
+pub(in crate::cli) fn sights(
+    planar: &Planar,
+    sectors_of: Option<&DoomLevel>,
+    wants: Wants,
     progress: &dyn Progress,
 ) -> Found {
+    let graph = match planar {
+        Planar::Graph(graph) => return search(graph, progress),
+        Planar::Divided { cells, .. } => &cells.graph,
+    };
+    let cover = match sectors_of {
+        Some(level) => level.cover(),
+        None => Cover::cells(graph.cells.len()),
+    };
     let (crossings, groups) = (graph.crossings(), cover.groups());
-    let (mut matrix, sights) = match wants_witnesses {
+    let (mut matrix, sights) = match wants.witnesses {
         true => plan_sights(graph, &crossings, groups, &|_, _| true, progress)?,
         false => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
     };
-    if args.grazing {
+    if wants.grazing {
         classify_plan_grazing(graph, &crossings, groups, &mut matrix, progress)?;
     }
-    let sights = if wants_witnesses { cover.sights(graph, sights) } else { sights };
+    let sights = if wants.witnesses { cover.sights(graph, sights) } else { sights };
     Some((cover.matrix(matrix), sights.into_iter().map(witness).collect()))
 }
 
