@@ -22,6 +22,7 @@ mod grazing;
 mod groups;
 mod line;
 mod object;
+mod propose;
 mod stab_tree;
 mod sweep;
 #[cfg(test)]
