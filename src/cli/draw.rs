@@ -62,6 +62,10 @@ enum What {
     Eye,
     /// The lines that divide a floorplan, in the order of the tree
     Splits,
+    /// The stab tree of `--from`, over the plan
+    StabTree,
+    /// The stab tree of `--from` in layers: cells, and the portals between them
+    StabTreeGraph,
     /// The cells that `--from` sees, with a line to each
     Visibility,
 }
@@ -100,7 +104,7 @@ impl Cull {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let eye = Eye::of(&args)?;
-    let needs = [(args.what == What::Visibility, args.from.is_some(), "--from")];
+    let needs = [(args.what.looks_from_a_cell(), args.from.is_some(), "--from")];
     let needs = needs.into_iter().chain([(args.what == What::Eye, eye.is_some(), "--at")]);
     for (is_needed, is_there, option) in needs {
         if is_needed != is_there {
@@ -120,6 +124,13 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
 }
 
 impl What {
+    fn looks_from_a_cell(self) -> bool {
+        match self {
+            What::StabTree | What::StabTreeGraph | What::Visibility => true,
+            What::Cells | What::Eye | What::Splits => false,
+        }
+    }
+
     fn name(self) -> String {
         let value = self.to_possible_value().expect("no picture is hidden");
         value.get_name().to_owned()
@@ -131,6 +142,7 @@ impl What {
             What::Cells => "cells, portals, adjacency graph",
             What::Eye => "eye-to-cell visibility",
             What::Splits => "splits",
+            What::StabTree | What::StabTreeGraph => "stab tree",
             What::Visibility => "cell-to-cell visibility",
         }
     }
@@ -162,7 +174,12 @@ fn draw_plan(args: &Args, input: &Input, eye: Option<&Eye>) -> Result<String, Fa
             let eye = eye.expect("checked with the arguments");
             sight::draw_eye(&input.name, (plan, cells), (sheet, &floor), eye, args.cull)
         }
-        (What::Splits | What::Eye, Planar::Graph(_)) => {
+        (What::StabTree | What::StabTreeGraph, Planar::Divided { cells, .. }) => {
+            let from = from.expect("checked with the arguments");
+            let alone = (args.what == What::StabTreeGraph).then_some(&options);
+            sight::draw_tree(&cells.graph, (sheet, &floor), from, alone)
+        }
+        (What::Splits | What::Eye | What::StabTree | What::StabTreeGraph, Planar::Graph(_)) => {
             let what = args.what.name();
             let message = format!("states cells without a shape; --what {what} needs a floorplan");
             Err(Failure::file(&input.name, message))

@@ -65,6 +65,8 @@ pub fn draw_eye(mut sheet: Sheet, floor: &Floor, eye: &PlanPoint, drawing: &EyeD
     sheet.explain(Sample::Area(palette::SEEN), "visible area");
     let text = format!("{left} cells left ({})", drawing.cull);
     sheet.explain(Sample::Area(palette::VISIBLE_NOW), text);
-    sheet.explain(Sample::Area(palette::CULLED), format!("{culled} cells culled"));
+    if culled > 0 {
+        sheet.explain(Sample::Area(palette::CULLED), format!("{culled} cells culled"));
+    }
     sheet.finish()
 }

@@ -5,15 +5,16 @@ use super::super::numbers::numbers;
 use super::super::plan::Planar;
 use super::super::pvs::plan::sights;
 use super::{Args, Cull};
-use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline};
-use crate::eye::plan::{CellSight, EyePlan, ViewCone};
+use crate::draw::{self, EyeDrawing, Floor, Sheet, SheetOptions, Sightline, TreeNode};
+use crate::eye::plan::{CellSight, EyePlan, TreeVertex, ViewCone};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
 use crate::predicates::PlanPoint;
-use crate::pvs::plan::{Groups, plan_matrix};
+use crate::pvs::plan::{PlanStabNode, PlanStabTree, plan_stab_trees};
 use crate::report::{Silent, Verdict, WitnessLine};
 use crate::scene::CellId;
 use crate::scene::plan::{Plan, PlanGraph};
+use std::iter;
 
 /// Draws a cell, the cells that it sees, and a line to each.
 pub(super) fn draw_visibility(
@@ -79,16 +80,21 @@ pub(super) fn draw_eye(
     let point = PlanPoint::from_coordinates(&eye.at.each_ref().map(|c| c * &grid));
     let prepared = EyePlan::new(plan, cells);
     let place = prepared.place(point).map_err(|error| Failure::file(file, error))?;
-    let visible = seen_by(cells, place.cell()).ok_or(Failure::Interrupted)?;
+    let tree = stab_tree(&cells.graph, place.cell())?;
     let view = prepared.view(&place, eye.cone.as_ref());
-    let left = view.cull(cull.method(), CellSight::Cells(&visible));
+    let vertex = |node: &PlanStabNode| {
+        let &PlanStabNode { parent, portal, cell } = node;
+        TreeVertex { parent, portal, cell }
+    };
+    let vertices: Vec<TreeVertex> = tree.nodes.iter().map(vertex).collect();
+    let left = view.cull(cull.method(), CellSight::Tree(&vertices));
     let regions = view.regions(&view.sequences());
     let drawing = EyeDrawing {
         cone: eye
             .cone
             .as_ref()
             .map(|cone| cone.sides().clone().map(|side| side.map(Rational::from))),
-        visible,
+        visible: tree.cells(),
         left,
         regions: regions.into_iter().map(|region| region.polygon).collect(),
         cull: cull.name(),
@@ -96,11 +102,28 @@ pub(super) fn draw_eye(
     Ok(draw::draw_eye(sheet, floor, place.eye(), &drawing))
 }
 
-/// The cells that a cell sees, itself included.
-fn seen_by(cells: &PlanCells, from: CellId) -> Option<Vec<CellId>> {
-    let count = cells.graph.cells.len();
-    let crossings = cells.graph.crossings();
-    let matrix = plan_matrix(&cells.graph, &crossings, &Groups::cells(count), &Silent)?;
-    let sees = |cell: &CellId| matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
-    Some((0..count as u32).map(CellId).filter(sees).collect())
+/// Draws the stab tree of a cell, over the plan or by itself.
+pub(super) fn draw_tree(
+    graph: &PlanGraph,
+    (sheet, floor): (Sheet, &Floor),
+    from: CellId,
+    alone: Option<&SheetOptions>,
+) -> Result<String, Failure> {
+    let tree = stab_tree(graph, from)?;
+    let root = TreeNode { cell: from, before: None };
+    // The root comes first, so that all others are one later.
+    let node = |node: &PlanStabNode| {
+        let parent = node.parent.map_or(0, |parent| parent + 1);
+        TreeNode { cell: node.cell, before: Some((parent, node.portal)) }
+    };
+    let nodes: Vec<TreeNode> = iter::once(root).chain(tree.nodes.iter().map(node)).collect();
+    Ok(match alone {
+        Some(options) => draw::draw_tree_graph(&graph.cells, &nodes, options),
+        None => draw::draw_stab_tree(sheet, floor, &nodes),
+    })
+}
+
+fn stab_tree(graph: &PlanGraph, from: CellId) -> Result<PlanStabTree, Failure> {
+    let trees = plan_stab_trees(graph, &graph.crossings(), &[from], false, &Silent);
+    trees.and_then(|mut trees| trees.pop()).ok_or(Failure::Interrupted)
 }
