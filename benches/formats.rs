@@ -5,7 +5,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use stabline::num::Number;
-use stabline::report::{InputId, Matrix, PairWitness, PvsReport, Verdict};
+use stabline::report::{InputId, Matrix, PairWitness, PvsReport, Verdict, WitnessLine};
 use stabline::scene::{CellOrder, read_graph};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -48,7 +48,7 @@ fn result(cells: usize) -> PvsReport {
                 from: from as u32,
                 to: to as u32,
                 portals: (from as u32..to as u32).collect(),
-                line: [[0, 1, 2], [3, 4, 5]].map(|axes| axes.map(coordinate)),
+                line: WitnessLine::Space([[0, 1, 2], [3, 4, 5]].map(|axes| axes.map(coordinate))),
             });
         }
     }

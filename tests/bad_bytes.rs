@@ -7,11 +7,13 @@ use proptest::prelude::*;
 use stabline::formats::bsp::{BitMatrix, LevelTree, Visibility, write_visibility};
 use stabline::formats::json::{GeometryFile, SceneFile};
 use stabline::formats::npy::NpyMatrix;
+use stabline::formats::wad::{Archive, MapForm};
 use stabline::formats::{gltf, obj, prt};
 use stabline::report::PvsReport;
 use stabline::scene::{
     CellOrder, LevelOptions, PortalGraph, WorldOptions, read_graph, read_level, read_world,
 };
+use support::wads::two_rooms;
 use support::{THREE_ROOMS, level, root, three_rooms_result};
 
 /// Every field of a scene with geometry, and every form of a brush.
@@ -93,6 +95,11 @@ fn parse(bytes: &[u8]) {
     let _ = PvsReport::read(bytes);
     let _ = NpyMatrix::read(bytes);
     let _ = LevelTree::read(bytes);
+    if let Ok(archive) = Archive::read(bytes) {
+        for map in archive.maps().into_iter().flat_map(|name| archive.map(name)) {
+            assert!(map.sidedefs.iter().all(|&sector| (sector as usize) < map.sectors));
+        }
+    }
     if let Ok(read) = Visibility::read(bytes) {
         assert!(read.rows_missing <= read.matrix.size());
         // What can be read can be replaced, or is refused; it is never another matrix.
@@ -128,6 +135,8 @@ fn files() -> Vec<Vec<u8>> {
     let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
     let glb = std::fs::read(root().join("scenes/world/panels_cross_turned.glb")).unwrap();
     files.extend([npy, level([1, 3, 7, 15]), quake2, quake3, glb]);
+    let forms = [MapForm::Doom, MapForm::Hexen, MapForm::Udmf];
+    files.extend(forms.map(|form| two_rooms().archive("MAP01", form)));
     files
 }
 

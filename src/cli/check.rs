@@ -2,6 +2,7 @@
 
 mod show;
 
+use super::doom;
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use crate::audit::check::{self, CheckError, Policy, Presence};
@@ -19,7 +20,7 @@ use std::path::PathBuf;
 pub(super) struct Args {
     /// The exact result: `stabline-pvs/1`, or `.npy` together with --input
     golden: PathBuf,
-    /// What is scored: `stabline-pvs/1`, `.npy`, or a `.bsp`
+    /// What is scored: `stabline-pvs/1`, `.npy`, a `.bsp`, or the REJECT lump of `FILE.wad:MAP`
     candidate: PathBuf,
     /// The portal graph that an `.npy` golden result belongs to
     #[arg(long)]
@@ -143,6 +144,15 @@ fn read_candidate(file: &Input, golden: &PvsReport, policy: Policy) -> Result<Ca
             check::presence(&matrix, policy)
         };
         return Ok(Candidate { presence, kind: "npy".to_owned(), rows_missing: 0 });
+    }
+    if file.map.is_some() {
+        let (table, kind) = doom::shipped_table(&doom::map_of(file)?);
+        let sectors = table.sectors();
+        let pairs =
+            (0..sectors * sectors).map(|pair| !table.rejects(pair / sectors, pair % sectors));
+        let presence = Presence::from_flags(sectors, pairs.collect())
+            .ok_or_else(|| fail(&"expected a square matrix"))?;
+        return Ok(Candidate { presence, kind, rows_missing: 0 });
     }
     if Visibility::is_bsp(&file.bytes) {
         let level = Visibility::read(&file.bytes).map_err(|error| fail(&error))?;

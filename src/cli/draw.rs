@@ -170,7 +170,7 @@ fn draw_plan(args: &Args, input: &Input, eye: Option<&Eye>) -> Result<String, Fa
         (What::Splits, Planar::Divided { cells, .. }) => {
             Ok(draw::draw_splits(sheet, &floor, &cells.tree))
         }
-        (What::Eye, Planar::Divided { plan, cells }) => {
+        (What::Eye, Planar::Divided { plan, cells, .. }) => {
             let eye = eye.expect("checked with the arguments");
             sight::draw_eye(&input.name, (plan, cells), (sheet, &floor), eye, args.cull)
         }
@@ -189,7 +189,7 @@ fn draw_plan(args: &Args, input: &Input, eye: Option<&Eye>) -> Result<String, Fa
 
 fn floor(planar: &Planar, options: &SheetOptions) -> (Sheet, Floor) {
     match planar {
-        Planar::Divided { plan, cells } => Floor::of_plan(plan, cells, options),
+        Planar::Divided { plan, cells, .. } => Floor::of_plan(plan, cells, options),
         Planar::Graph(graph) => Floor::of_graph(graph, options),
     }
 }

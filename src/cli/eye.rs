@@ -1,9 +1,12 @@
-//! `stabline eye`: what one point sees of a portal graph or a world.
+//! `stabline eye`: what one point sees of a portal graph, a world or a floorplan.
+
+mod plan;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::meshes::{self, Writer};
 use super::numbers::{numbers, point};
+use super::plan::{PlanArgs, is_plan};
 use super::world::{self, WorldArgs};
 use crate::construct::Polygon;
 use crate::eye::{
@@ -23,20 +26,25 @@ use std::path::{Path, PathBuf};
 pub(super) struct Args {
     /// A portal graph, or geometry to be divided into cells
     input: PathBuf,
-    /// Where the eye is: three decimals or ratios
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    at: String,
+    /// Where the eye is: three decimals or ratios, two in a floorplan
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
+    #[arg(required_unless_present = "path", conflicts_with = "path")]
+    at: Option<String>,
+    /// Where the eye walks in a floorplan: points with spaces between them
+    #[arg(long, value_name = "X,Y X,Y ...", allow_hyphen_values = true)]
+    path: Option<String>,
     /// The direction of view; all around without
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     look: Option<String>,
     /// The direction that is up [default: 0,0,1]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "look")]
     up: Option<String>,
-    /// The tangents of half the horizontal and half the vertical angle of view
-    #[arg(long, value_name = "H,V", requires = "look", conflicts_with = "fov")]
+    /// The tangents of half the horizontal and half the vertical angle of view; one in a floorplan
+    #[arg(long, alias = "half-tangent", value_name = "H[,V]")]
+    #[arg(requires = "look", conflicts_with = "fov")]
     half_tangents: Option<String>,
-    /// The horizontal and the vertical angle of view in degrees
-    #[arg(long, value_name = "H,V", requires = "look")]
+    /// The horizontal and the vertical angle of view in degrees; one in a floorplan
+    #[arg(long, value_name = "H[,V]", requires = "look")]
     fov: Option<String>,
     /// How cells are ruled out
     #[arg(long, value_enum, value_name = "METHOD", default_value = "exact")]
@@ -44,8 +52,8 @@ pub(super) struct Args {
     /// The cell that the eye is in, where the portals do not tell: its name, or its number
     #[arg(long, value_name = "C")]
     cell: Option<String>,
-    /// Give what is seen: of each sequence's last portal, or of a level's cells as polyhedra
-    #[arg(long)]
+    /// Give what is seen: of each sequence's last portal, or of a level's or floorplan's cells
+    #[arg(long, alias = "region")]
     regions: bool,
     /// Give the detail objects of a level that are seen
     #[arg(long)]
@@ -58,7 +66,9 @@ pub(super) struct Args {
     obj: Option<PathBuf>,
     #[command(flatten)]
     world: WorldArgs,
-    /// Print JSON (`stabline-eye/1`)
+    #[command(flatten)]
+    plan: PlanArgs,
+    /// Print JSON (`stabline-eye/1`; of a floorplan `stabline-eye-plan/1`)
     #[arg(long)]
     json: bool,
 }
@@ -67,21 +77,32 @@ pub(super) struct Args {
 enum Method {
     /// The cells that are seen, decided exactly
     Exact,
-    /// Clip the frustum in floats; never misses a cell
+    /// Clip the frustum in floats; never misses a cell (not in a floorplan)
     Float,
-    /// Through portals before the eye and in the frustum, each judged alone
+    /// Through portals in the frustum or cone, each judged alone
     Portals,
-    /// All cells joined to the eye's by portals
+    /// All cells joined to the eye's by portals (not in a floorplan)
     Flood,
+    /// In a floorplan: through cells that meet the cone
+    Component,
+    /// In a floorplan: cells that the eye's cell sees and that meet the cone
+    Disjoint,
+    /// In a floorplan: all cells that the eye's cell sees
+    None,
 }
 
 impl Method {
-    fn cull(self) -> (Cull, &'static str) {
+    /// The cull of what is in space, and its name.
+    fn cull(self) -> Result<(Cull, &'static str), Failure> {
         match self {
-            Method::Exact => (Cull::Exact, "exact"),
-            Method::Float => (Cull::Float, "float"),
-            Method::Portals => (Cull::Portals, "portals"),
-            Method::Flood => (Cull::Flood, "flood"),
+            Method::Exact => Ok((Cull::Exact, "exact")),
+            Method::Float => Ok((Cull::Float, "float")),
+            Method::Portals => Ok((Cull::Portals, "portals")),
+            Method::Flood => Ok((Cull::Flood, "flood")),
+            Method::Component | Method::Disjoint | Method::None => Err(Failure::usage(
+                "--cull component, disjoint and none are for floorplans; in space there are \
+                 exact, float, portals and flood",
+            )),
         }
     }
 }
@@ -99,13 +120,19 @@ type Seen = (EyeReport, Vec<MeshGroup>);
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     args.world.refuse_hulls()?;
     let writes_to_stdout = files::check_outputs([&args.glb, &args.obj])?;
-    let eye = point("--at", &args.at)?;
+    let input = Input::read(&args.input)?;
+    if is_plan(&input) {
+        return plan::run(&args, &input);
+    }
+    let Some(at) = &args.at else {
+        return Err(Failure::usage("--path is for floorplans"));
+    };
+    let eye = point("--at", at)?;
     let lens = lens(&args)?;
     if args.needs_regions() && args.cull != Method::Exact {
         let message = "--regions, --objects, --glb and --obj need the exact cull";
         return Err(Failure::usage(message));
     }
-    let input = Input::read(&args.input)?;
     let (report, mesh) = match world::is_world(&input) {
         true => of_world(&args, &input, &eye, lens.as_ref())?,
         false => of_graph(&args, &input, &eye, lens.as_ref())?,
@@ -144,7 +171,7 @@ fn of_graph(
     let cell = args.cell.as_ref().map(|text| files::cell(&graph, &input.name, text)).transpose()?;
     let frustum = lens.map(|lens| &lens.frustum);
     let query = Query { eye, frustum, cell, regions: args.needs_regions() };
-    let (cull, name) = args.cull.cull();
+    let (cull, name) = args.cull.cull()?;
     let answer = EyeGraph::new(&graph).look(&query, cull).map_err(|error| match error {
         LocateError::Nowhere => Failure::file(&input.name, error),
         LocateError::Ambiguous { .. } => Failure::usage(format!("{error} with --cell")),
@@ -171,7 +198,7 @@ fn of_world(
     let (world, cells) = world::divided(input, &args.world, &Silent)?;
     let frustum = lens.map(|lens| &lens.frustum);
     let query = Query { eye, frustum, cell: None, regions: args.needs_regions() };
-    let (cull, name) = args.cull.cull();
+    let (cull, name) = args.cull.cull()?;
     let WorldAnswer { answer, space } = EyeWorld::new(&world, &cells)
         .look(&query, cull)
         .map_err(|error| Failure::file(&input.name, error))?;

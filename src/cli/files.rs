@@ -4,7 +4,7 @@
 //! Output goes to a temporary name in the same folder and is renamed once everything is written.
 
 use super::exit::Failure;
-use super::interrupt;
+use super::{doom, interrupt};
 use crate::report::PvsReport;
 use crate::scene::{CellId, PortalGraph};
 use std::fs::{self, File, OpenOptions};
@@ -18,19 +18,24 @@ pub(super) struct Input {
     pub name: String,
     /// The file's bytes.
     pub bytes: Vec<u8>,
+    /// The map that was named, where the file is an archive of Doom.
+    pub map: Option<String>,
 }
 
 impl Input {
-    /// Reads the file at `path`, or standard input for `-`.
+    /// Reads the file at `path`, or standard input for `-`; `FILE:MAP` names a map of an archive.
     pub(super) fn read(path: &Path) -> Result<Input, Failure> {
+        let (file, map) = doom::split_map(path);
         let bytes = if path == Path::new("-") {
             let mut bytes = Vec::new();
             io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
         } else {
-            fs::read(path)
+            fs::read(&file)
         };
-        let bytes = bytes.map_err(|error| Failure::system("read", path, &error))?;
-        Ok(Input { name: path.display().to_string(), bytes })
+        let bytes = bytes.map_err(|error| Failure::system("read", &file, &error))?;
+        let name = path.display().to_string();
+        doom::check_map(&bytes, map.as_deref()).map_err(|what| Failure::file(&name, what))?;
+        Ok(Input { name, bytes, map })
     }
 
     /// The file's name without its folders: results carry no path of a machine.

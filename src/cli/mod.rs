@@ -9,6 +9,7 @@ mod bsp;
 mod check;
 mod csg;
 mod division;
+mod doom;
 mod draw;
 mod exit;
 mod export;

@@ -19,8 +19,9 @@ use std::path::PathBuf;
 
 /// Compute which cells see which, exactly, with a sightline for every open pair
 ///
-/// INPUT is a portal file (`.prt`), a JSON scene, a level's source (`.map`), or polygons (`.obj`,
-/// `.gltf`, `.glb`), or a floorplan in JSON. Without `-o` and `--npy` a summary is printed; `-o -` prints the whole result.
+/// INPUT is a portal file (`.prt`), a JSON scene, a level's source (`.map`), polygons (`.obj`,
+/// `.gltf`, `.glb`), a floorplan in JSON, or a Doom level (`FILE.wad:MAP01`). Without an output a
+/// summary is printed; `-o -` prints the whole result.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// A portal graph, or geometry to be divided into cells
@@ -34,6 +35,12 @@ pub(super) struct Args {
     /// Write the stab trees: every open portal sequence from each cell, with a sightline
     #[arg(long, value_name = "OUT.json")]
     stab_tree: Option<PathBuf>,
+    /// What the cells of a Doom level are
+    #[arg(long, value_enum, default_value = "sectors")]
+    cells: CellsArg,
+    /// Write the exact REJECT lump of a Doom level to a file
+    #[arg(long, value_name = "OUT.lmp")]
+    reject: Option<PathBuf>,
     /// Only the stab trees of these cells, by number
     #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
     from: Vec<u32>,
@@ -84,6 +91,15 @@ pub(super) struct Args {
     progress: ProgressArgs,
 }
 
+/// The option `--cells`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum CellsArg {
+    /// Its sectors: a pair is open if any of their leaves are
+    Sectors,
+    /// The convex leaves that it is divided into
+    Subsectors,
+}
+
 fn parse_shard(text: &str) -> Result<Shard, String> {
     let expected = || format!("expected I/N with I from 1 to N, not {text:?}");
     let (index, count) = text.split_once('/').ok_or_else(expected)?;
@@ -114,12 +130,13 @@ fn parse_bytes(text: &str) -> Result<MemoryLimit, String> {
 
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let mut clock = summary::Clock::start();
-    let outputs = [&args.output, &args.npy, &args.stab_tree, &args.objects];
+    let outputs = [&args.output, &args.npy, &args.stab_tree, &args.objects, &args.reject];
     let writes_to_stdout = files::check_outputs(outputs)?;
     let input = Input::read(&args.input)?;
     if super::plan::is_plan(&input) {
         return plan::run(&args, clock, &input, writes_to_stdout);
     }
+    refuse_doom_options(&args, false)?;
     let watch = Watch::new(args.progress.reporter(), args.memory_limit);
     let (graph, objects) = match &args.objects {
         None => (world::read_graph(&input, &args.world, &watch)?, None),
@@ -180,6 +197,17 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let undecided =
         report.matrix.counts().undecided > 0 || objects.as_ref().is_some_and(budget_spent);
     Ok(if undecided { Exit::Undecided } else { Exit::Done })
+}
+
+/// Refuses options for Doom levels on other inputs.
+fn refuse_doom_options(args: &Args, is_doom: bool) -> Result<(), Failure> {
+    if !is_doom && (args.reject.is_some() || args.cells != CellsArg::Sectors) {
+        return Err(Failure::usage("--reject and --cells are of Doom levels, FILE.wad:MAP01"));
+    }
+    if args.reject.is_some() && args.cells != CellsArg::Sectors {
+        return Err(Failure::usage("--reject: a REJECT lump is of sectors, not of subsectors"));
+    }
+    Ok(())
 }
 
 fn part_header(args: &Args, input: &Input) -> PartHeader {

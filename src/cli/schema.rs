@@ -8,8 +8,8 @@ use crate::formats::json::SceneKind;
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::report::{
-    BodyReport, BodyTreeReport, BspReport, CellsReport, EyeReport, MoveReport, ObjectsReport,
-    PvsReport, StabReport, TransversalsReport,
+    BodyReport, BodyTreeReport, BspReport, CellsReport, EyePlanReport, EyeReport, MoveReport,
+    ObjectsReport, PvsReport, StabReport, TransversalsReport,
 };
 use serde_json::Value;
 
@@ -35,6 +35,7 @@ const SCHEMAS: &[Format] = &[
     ("stabline-csg/1", CsgFile::schema),
     (BodyTreeReport::FORMAT, BodyTreeReport::schema),
     (EyeReport::FORMAT, EyeReport::schema),
+    (EyePlanReport::FORMAT, EyePlanReport::schema),
     ("stabline-lines/1", LinesFile::schema),
     (MoveReport::FORMAT, MoveReport::schema),
     ("stabline-objects/1", ObjectsReport::schema),

@@ -1,7 +1,10 @@
 //! `stabline why`: what joins two cells, or what blocks them.
 
+mod plan;
+
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
+use super::plan::PlanArgs;
 use super::progress::{ProgressArgs, Watch};
 use super::world::{self, WorldArgs};
 use crate::num::Number;
@@ -12,7 +15,7 @@ use std::path::PathBuf;
 /// Show the portals and the sightline between two cells, or what blocks them
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// A portal graph, or geometry to be divided into cells
+    /// A portal graph, geometry to be divided into cells, a floorplan, or a Doom level (sectors)
     input: PathBuf,
     /// The cell to look from: its name, or its number
     #[arg(value_name = "A")]
@@ -22,6 +25,8 @@ pub(super) struct Args {
     to: String,
     #[command(flatten)]
     world: WorldArgs,
+    #[command(flatten)]
+    plan: PlanArgs,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -32,6 +37,9 @@ pub(super) struct Args {
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     args.world.refuse_hulls()?;
     let input = Input::read(&args.input)?;
+    if super::plan::is_plan(&input) {
+        return plan::run(&args, &input);
+    }
     let watch = Watch::new(args.progress.reporter(), None);
     let graph = world::read_graph(&input, &args.world, &watch)?;
     let [from, to] = [&args.from, &args.to].map(|text| files::cell(&graph, &input.name, text));

@@ -17,6 +17,7 @@
 
 mod cone;
 mod cull;
+mod describe;
 mod place;
 mod region;
 mod search;

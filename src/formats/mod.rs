@@ -16,3 +16,4 @@ pub mod npy;
 pub mod obj;
 pub mod prt;
 pub mod sequence;
+pub mod wad;

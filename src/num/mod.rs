@@ -7,6 +7,7 @@
 
 mod decimal;
 mod number;
+mod random;
 mod sign;
 mod sum;
 mod surd;
@@ -14,6 +15,7 @@ mod wide;
 
 pub use decimal::{DecimalError, format_decimal, parse_decimal};
 pub use number::Number;
+pub use random::Random;
 pub use sign::Sign;
 pub use sum::sum;
 pub use surd::{Surd, sign_of_surd, sign_of_two_surds};

@@ -9,7 +9,7 @@
 //! exactly planar and convex whatever the plane.
 
 use crate::geom::{BigPoint2, BigPoint3};
-use crate::num::Int;
+use crate::num::{Int, Random};
 
 /// A point with small integer coordinates.
 type Vector = [i64; 3];
@@ -55,45 +55,8 @@ impl Family {
     ];
 }
 
-/// Pseudo-random numbers for tests: SplitMix64 (Steele, Lea, Flood 2014).
-#[derive(Clone, Debug)]
-pub struct Random {
-    state: u64,
-}
-
-impl Random {
-    /// The generator with this seed.
-    pub fn new(seed: u64) -> Random {
-        Random { state: seed }
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A number from `low` to `high`, both included.
-    ///
-    /// # Panics
-    /// If `low` is above `high`.
-    pub fn between(&mut self, low: i64, high: i64) -> i64 {
-        assert!(low <= high, "no number from {low} to {high}");
-        let width = high.abs_diff(low) + 1;
-        low + (self.bits() % width) as i64
-    }
-
-    /// True once in `n` times.
-    pub fn one_in(&mut self, n: i64) -> bool {
-        self.between(1, n) == 1
-    }
-
-    fn vector(&mut self, reach: i64) -> Vector {
-        [(); 3].map(|()| self.between(-reach, reach))
-    }
+fn vector(random: &mut Random, reach: i64) -> Vector {
+    [(); 3].map(|()| random.between(-reach, reach))
 }
 
 /// The sequence of this family and seed.
@@ -173,10 +136,10 @@ fn to_point(p: Vector) -> BigPoint3 {
 
 /// A portal across the y axis, about `spacing·index` along it.
 fn oblique(random: &mut Random, index: i64, size: i64, spacing: i64) -> Vec<Vector> {
-    let origin = add(random.vector(size / 2), [0, spacing * index, 0]);
+    let origin = add(vector(random, size / 2), [0, spacing * index, 0]);
     let [u, v] = loop {
-        let u = random.vector(size / 4 + 1);
-        let v = random.vector(size / 4 + 1);
+        let u = vector(random, size / 4 + 1);
+        let v = vector(random, size / 4 + 1);
         if cross(u, v)[1] != 0 {
             break [u, v];
         }
@@ -187,7 +150,7 @@ fn oblique(random: &mut Random, index: i64, size: i64, spacing: i64) -> Vec<Vect
 /// An axis-parallel rectangle; the rough direction is (1, 1, 1).
 fn axial(random: &mut Random, index: i64) -> Vec<Vector> {
     let axis = random.between(0, 2) as usize;
-    let origin = add(random.vector(3), [2 * index; 3]);
+    let origin = add(vector(random, 3), [2 * index; 3]);
     let mut u = [0; 3];
     let mut v = [0; 3];
     u[(axis + 1) % 3] = random.between(1, 6);
@@ -198,7 +161,7 @@ fn axial(random: &mut Random, index: i64) -> Vec<Vector> {
 /// A triangle or parallelogram with coordinates of magnitude at most two.
 fn tiny(random: &mut Random) -> Vec<Vector> {
     loop {
-        let (origin, a, b) = (random.vector(2), random.vector(2), random.vector(2));
+        let (origin, a, b) = (vector(random, 2), vector(random, 2), vector(random, 2));
         let (u, v) = (sub(a, origin), sub(b, origin));
         let normal = cross(u, v);
         if normal == [0; 3] || (normal[1] == 0 && random.one_in(2)) {
@@ -245,13 +208,13 @@ fn parallel(random: &mut Random, index: i64) -> Vec<Vector> {
 /// A long thin portal.
 fn slit(random: &mut Random, index: i64) -> Vec<Vector> {
     let [long, wide] = loop {
-        let long = scale(random.vector(2), 50);
-        let wide = random.vector(1);
+        let long = scale(vector(random, 2), 50);
+        let wide = vector(random, 1);
         if cross(long, wide)[1] != 0 {
             break [long, wide];
         }
     };
-    let middle = add(random.vector(2), [0, 20 * index, 0]);
+    let middle = add(vector(random, 2), [0, 20 * index, 0]);
     let origin = sub(middle, scale(long, 1).map(|c| c / 2));
     lay_out(origin, long, wide, &[[0, 0], [1, 0], [1, 1], [0, 1]], [0, 1, 0])
 }

@@ -8,6 +8,7 @@
 
 mod cells;
 mod check;
+pub mod doom;
 mod enumerate;
 mod flood;
 pub mod plan;

@@ -5,11 +5,13 @@
 //! two leaves' common boundary on which no opaque segment lies (Teller and Séquin 1991, §2.3,
 //! §3.1). O(e lg e) for e edges and segments.
 
-use crate::predicates::PlanPoint;
+use crate::num::Sign;
+use crate::predicates::{PlanPoint, compare_coordinates, turn_of_points};
 use crate::scene::CellId;
-use crate::scene::plan::{Plan, PlanGraph, PlanPortal};
+use crate::scene::plan::{Plan, PlanGraph, PlanPortal, PlanSegment};
 use crate::subdivision::plan::PlanTree;
 use rustc_hash::FxHashMap;
+use std::cmp::Ordering;
 
 /// A piece of a line between two neighbouring points on it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,14 +37,36 @@ pub struct PlanCells {
     pub cell_of_leaf: Vec<Option<CellId>>,
     /// Every piece of every line that a leaf borders on, line by line.
     pub boundaries: Vec<Boundary>,
+    /// Which segments cross or overlap.
+    pub meets: SegmentMeets,
 }
 
-/// A way from a mark of the inside to the boundary of the box.
+/// Segments of a plan that meet in more than an end; each pair once, by index, in ascending order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SegmentMeets {
+    /// Pairs that cross inside both, and the point where: there both are split.
+    pub crossing: Vec<([u32; 2], u32)>,
+    /// Pairs on one line that share a piece of it.
+    pub overlapping: Vec<[u32; 2]>,
+}
+
+/// Why the marks of a plan's inside do not say what is inside.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the plan leaks: inside[{mark}] reaches the edge of the box")]
-pub struct PlanLeak {
-    /// The mark.
-    pub mark: usize,
+pub enum MarkError {
+    /// A way leads from a mark to the edge of the box.
+    #[error("the plan leaks: inside[{0}] reaches the edge of the box")]
+    Leak(usize),
+    /// A mark lies on something opaque.
+    #[error("inside[{mark}] lies on segment {segment}")]
+    OnWall {
+        /// The mark.
+        mark: usize,
+        /// The segment, by its number in the input.
+        segment: u32,
+    },
+    /// A mark lies outside of the box, or on its edge.
+    #[error("inside[{0}] does not lie inside the box")]
+    OutOfBox(usize),
 }
 
 impl PlanCells {
@@ -62,9 +86,8 @@ impl PlanCells {
 /// them, else all.
 ///
 /// # Errors
-/// A leak, where marks are stated and the box is not: `closed` says that ways out of it count as
-/// leaks.
-pub fn cells_of_plan(plan: &Plan, tree: PlanTree, closed: bool) -> Result<PlanCells, PlanLeak> {
+/// [`MarkError`]; `closed` says that ways out of the box count as leaks.
+pub fn cells_of_plan(plan: &Plan, tree: PlanTree, closed: bool) -> Result<PlanCells, MarkError> {
     let boundaries = boundaries(plan, &tree);
     let is_open = |boundary: &Boundary| {
         !boundary.segments.iter().any(|&segment| plan.segments[segment as usize].is_opaque)
@@ -91,7 +114,42 @@ pub fn cells_of_plan(plan: &Plan, tree: PlanTree, closed: bool) -> Result<PlanCe
         }
     }
     graph.points = tree.points.clone();
-    Ok(PlanCells { tree, graph, cell_of_leaf, boundaries })
+    let meets = meets(&boundaries);
+    Ok(PlanCells { tree, graph, cell_of_leaf, boundaries, meets })
+}
+
+/// Which segments meet in more than an end. Linear in the boundaries, and in what is found.
+fn meets(boundaries: &[Boundary]) -> SegmentMeets {
+    let mut overlapping = Vec::new();
+    // The segments that run on through each point at which pieces of their lines meet.
+    let mut through: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+    for (index, piece) in boundaries.iter().enumerate() {
+        for (i, &second) in piece.segments.iter().enumerate() {
+            overlapping.extend(piece.segments[..i].iter().map(|&first| [first, second]));
+        }
+        let Some(next) = boundaries.get(index + 1) else { continue };
+        if piece.ends[1] == next.ends[0] {
+            let on = piece.segments.iter().filter(|segment| next.segments.contains(segment));
+            through.entry(piece.ends[1]).or_default().extend(on);
+        }
+    }
+    let mut crossing = Vec::new();
+    for (point, segments) in through {
+        for (i, &second) in segments.iter().enumerate() {
+            crossing.extend(
+                segments[..i].iter().map(|&first| ([first.min(second), first.max(second)], point)),
+            );
+        }
+    }
+    let mut overlapping: Vec<[u32; 2]> =
+        overlapping.into_iter().map(|[a, b]: [u32; 2]| [a.min(b), a.max(b)]).collect();
+    overlapping.sort_unstable();
+    overlapping.dedup();
+    // Those of one line run through the same points without crossing there.
+    crossing.retain(|(pair, _)| overlapping.binary_search(pair).is_err());
+    crossing.sort_unstable();
+    crossing.dedup();
+    SegmentMeets { crossing, overlapping }
 }
 
 /// What lies on one line.
@@ -166,13 +224,41 @@ fn lay_over(tree: &PlanTree, line: u32, on_line: &OnLine, out: &mut Vec<Boundary
     out.extend(all.into_iter().filter(|piece| piece.left.is_some() || piece.right.is_some()));
 }
 
+/// Whether a mark lies inside the box, on nothing opaque. Linear in the segments.
+fn check_mark(plan: &Plan, mark: usize, point: &PlanPoint) -> Result<(), MarkError> {
+    let is_left_of = |i: usize| {
+        let [a, b] = [i, (i + 1) % 4].map(|i| plan.points.get(plan.bounds[i]));
+        turn_of_points(a, b, point) == Sign::Positive
+    };
+    if !(0..4).all(is_left_of) {
+        return Err(MarkError::OutOfBox(mark));
+    }
+    let holds = |segment: &&PlanSegment| {
+        let [a, b] = segment.ends.map(|end| plan.points.get(end));
+        segment.is_opaque
+            && turn_of_points(a, b, point) == Sign::Zero
+            && [0, 1].into_iter().all(|axis| {
+                let (low, high) = match compare_coordinates(axis, a, b) {
+                    Ordering::Less | Ordering::Equal => (a, b),
+                    Ordering::Greater => (b, a),
+                };
+                compare_coordinates(axis, low, point).is_le()
+                    && compare_coordinates(axis, point, high).is_le()
+            })
+    };
+    match plan.segments.iter().find(holds) {
+        Some(segment) => Err(MarkError::OnWall { mark, segment: segment.source }),
+        None => Ok(()),
+    }
+}
+
 /// The leaves that can be reached from the marks; all, where there is none.
 fn reached_leaves(
     plan: &Plan,
     tree: &PlanTree,
     boundaries: &[Boundary],
     closed: bool,
-) -> Result<Vec<bool>, PlanLeak> {
+) -> Result<Vec<bool>, MarkError> {
     if plan.inside.is_empty() {
         return Ok(vec![true; tree.leaves.len()]);
     }
@@ -190,6 +276,7 @@ fn reached_leaves(
     }
     let mut reached = vec![false; tree.leaves.len()];
     for (mark, point) in plan.inside.iter().enumerate() {
+        check_mark(plan, mark, point)?;
         let mut stack = vec![tree.locate(point)];
         while let Some(leaf) = stack.pop() {
             if std::mem::replace(&mut reached[leaf as usize], true) {
@@ -198,7 +285,7 @@ fn reached_leaves(
             for &other in &beside[leaf as usize] {
                 match other {
                     Some(other) => stack.push(other),
-                    None if closed => return Err(PlanLeak { mark }),
+                    None if closed => return Err(MarkError::Leak(mark)),
                     None => {}
                 }
             }

@@ -17,13 +17,24 @@
 //! which the least vertex wins, so the result does not depend on them.
 
 mod around;
+mod cover;
+mod grazing;
 mod groups;
 mod line;
+mod object;
+mod stab_tree;
 mod sweep;
 #[cfg(test)]
 mod tests;
 mod view;
 mod witness;
 
+pub use cover::Cover;
+pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
+pub use object::{PlanObjectSight, PlanObjectSights, plan_object_sights};
+pub use stab_tree::{PlanStabNode, PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
+
+/// Portals as they are crossed, one after the other.
+type Ways = [crate::scene::plan::Crossing];

@@ -295,7 +295,7 @@ impl EyeObject {
 }
 
 /// ` through 1 2`, or nothing for no portals.
-fn through(portals: &[u32]) -> String {
+pub(super) fn through(portals: &[u32]) -> String {
     if portals.is_empty() { String::new() } else { format!(" through {}", list(portals)) }
 }
 

@@ -3,6 +3,7 @@
 mod body;
 mod bsp;
 mod eye;
+mod eye_plan;
 mod matrix;
 mod motion;
 mod objects;
@@ -16,6 +17,9 @@ pub use bsp::{BspChecked, BspReport, BspStage, CellShape, CellsReport, PortalPol
 pub use eye::{
     EyeCell, EyeFrustum, EyeObject, EyeRegion, EyeReport, EyeSpace, EyeSpaceRegion,
     Integer as EyeInteger, Ratio as EyeRatio,
+};
+pub use eye_plan::{
+    EyeCone, EyePlanCell, EyePlanRegion, EyePlanReport, EyePlanSeen, EyePlanStep, EyePlanView,
 };
 pub use matrix::{Counts, Matrix, Verdict};
 pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};

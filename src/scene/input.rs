@@ -8,6 +8,7 @@ use crate::formats::json::{SceneFile, SceneFileError, SceneKind};
 use crate::formats::map::MapError;
 use crate::formats::obj::ObjError;
 use crate::formats::prt::{self, PrtError, PrtFile};
+use crate::formats::wad::Archive;
 use rustc_hash::FxHashMap;
 
 /// What is wrong with an input file, and where; shown as `NAME:LINE: what`.
@@ -115,6 +116,9 @@ pub fn read_graph(name: &str, bytes: &[u8]) -> Result<PortalGraph, InputError> {
     let error = |kind| InputError { name: name.to_owned(), kind };
     if bytes.is_empty() {
         return Err(error(InputErrorKind::Empty));
+    }
+    if Archive::is_archive(bytes) {
+        return Err(error(InputErrorKind::InThePlane));
     }
     let raw = if bytes.trim_ascii_start().first() == Some(&b'{') {
         let json = |e| error(InputErrorKind::Json(e));

@@ -4,10 +4,12 @@
 //! and repeated segments told apart. A [`PlanGraph`] is the adjacency graph of a plan's
 //! subdivision (Teller and Séquin 1991, §2.3), or one that a file states.
 
+mod doom;
 mod graph;
 mod read;
 mod stated;
 
+pub use doom::{AreaClaim, DoomOddity, DoomPlan, LineSides, plan_of_map};
 pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal};
 pub use read::{PlanInput, read_plan};
 pub use stated::{

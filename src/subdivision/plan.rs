@@ -1,15 +1,17 @@
 //! Subdivisions of a floorplan: a binary tree of lines, whose leaves are convex cells.
 //!
 //! There are two ways to choose the lines: that of the k-D tree for axial segments (Teller and
-//! Séquin 1991, §2.3), and that of a BSP tree for segments of any direction (`choose`). Both yield
+//! Séquin 1991, §2.3; `kd`), and that of a BSP tree for segments of any direction (`choose`). Both yield
 //! a [`PlanTree`], so that point location, neighbours, portals and everything after them are the
 //! same. Segments that cross are split at the meet of their lines on the way, exactly.
 //!
 //! Invariants: the leaves tile the box; no segment of the plan meets a leaf's inside, but those
 //! that a threshold left in it, which [`PlanTree::left_inside`] lists.
 
+mod axial;
 mod build;
 mod choose;
+mod kd;
 mod lines;
 #[cfg(test)]
 mod tests;
@@ -17,9 +19,24 @@ mod tests;
 use crate::num::Sign;
 use crate::predicates::{PlanPoint, PlanPoints, turn_of_points};
 
+pub use axial::{AxialFace, Extents, FaceClass, classify};
 pub use build::divide;
 pub use choose::PlanMethod;
 pub use lines::PlanLines;
+
+/// Why a plan was not divided.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PlanDivisionError {
+    /// The work was told to stop.
+    #[error("interrupted")]
+    Interrupted,
+    /// The k-D tree was asked for, and a segment is neither horizontal nor vertical.
+    #[error("segments[{segment}]: not parallel to an axis, as a k-D tree needs it")]
+    NotAxial {
+        /// Its number in the input.
+        segment: u32,
+    },
+}
 
 /// A child of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

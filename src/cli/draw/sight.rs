@@ -3,7 +3,7 @@
 use super::super::exit::Failure;
 use super::super::numbers::numbers;
 use super::super::plan::Planar;
-use super::super::pvs::plan::sights;
+use super::super::pvs::plan::{Wants, sights};
 use super::{Args, Cull};
 use crate::draw::{self, EyeDrawing, Floor, Sheet, SheetOptions, Sightline, TreeNode};
 use crate::eye::plan::{CellSight, EyePlan, TreeVertex, ViewCone};
@@ -24,7 +24,8 @@ pub(super) fn draw_visibility(
     from: CellId,
 ) -> Result<String, Failure> {
     let graph = planar.graph();
-    let (matrix, witnesses) = sights(planar, true, &Silent).ok_or(Failure::Interrupted)?;
+    let wants = Wants { witnesses: true, grazing: false };
+    let (matrix, witnesses) = sights(planar, None, wants, &Silent).ok_or(Failure::Interrupted)?;
     let sees = |cell: &CellId| matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
     let visible: Vec<CellId> = floor.cells().filter(sees).collect();
     let mut lines = Vec::new();

@@ -1,11 +1,12 @@
 //! `stabline pvs` on floorplans.
 
+use super::super::doom::{self, DoomLevel};
 use super::super::exit::{Exit, Failure};
 use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
-use super::{Args, on_threads};
-use crate::pvs::plan::{Groups, PlanSight, plan_matrix, plan_sights};
+use super::{Args, CellsArg, on_threads};
+use crate::pvs::plan::{Cover, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
 use crate::scene::plan::PlanGraph;
@@ -18,39 +19,74 @@ pub(super) fn run(
     writes_to_stdout: bool,
 ) -> Result<Exit, Failure> {
     refuse_parts(args)?;
+    super::refuse_doom_options(args, input.map.is_some())?;
     let planar = on_threads(args, |watch| plan::read(input, &args.plan, watch))??;
     clock.lap("read");
+    if args.grazing && matches!(planar, Planar::Graph(_)) {
+        return Err(Failure::usage(
+            "--grazing: the graph states no polygons of its cells; expected a floorplan",
+        ));
+    }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
-    let graph = planar.graph();
-    let found = on_threads(args, |watch| sights(&planar, wants_witnesses, watch))?;
+    let wants = Wants { witnesses: wants_witnesses, grazing: args.grazing };
+    let level = sectors_asked(args, &planar);
+    let found = on_threads(args, |watch| sights(&planar, level, wants, watch))?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
     clock.lap("search");
+    let cells = match sectors_asked(args, &planar) {
+        Some(level) => (0..level.sectors).map(|sector| sector.to_string()).collect(),
+        None => planar.graph().cells.clone(),
+    };
     let report = PvsReport {
         program: PvsReport::this_program(),
         input: InputId::new(&input.file_name(), &input.bytes),
-        reading: args.plan.stated(),
-        grazing_classified: false,
-        cells: graph.cells.clone(),
-        leaf_to_cell: (0..graph.cells.len() as u32).collect(),
+        reading: reading(args),
+        grazing_classified: args.grazing,
+        leaf_to_cell: (0..cells.len() as u32).collect(),
+        cells,
         skew_portals: 0,
         matrix,
         witnesses: if wants_witnesses { witnesses } else { Vec::new() },
     };
-    if let Some(npy) = &args.npy {
-        let bytes = report.matrix.to_npy();
-        files::write(Some(npy), |out| out.write_all(&bytes))?;
-    }
-    if let Some(output) = &args.output {
-        files::write(Some(output), |out| report.write(out))?;
-    }
+    write(args, &report)?;
     clock.lap("write");
-    if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
-        files::print(&summary::plan_summary(graph, &report, args.json))?;
+    let is_written = [&args.output, &args.npy, &args.reject].iter().any(|path| path.is_some());
+    if !writes_to_stdout && (args.json || !is_written) {
+        files::print(&summary::plan_summary(&planar, &report, args.json))?;
     }
     if args.stats {
         summary::print_times(&clock);
     }
     Ok(Exit::Done)
+}
+
+/// The Doom level whose sectors are asked about, if they are.
+fn sectors_asked<'p>(args: &Args, planar: &'p Planar) -> Option<&'p DoomLevel> {
+    planar.level().filter(|_| args.cells == CellsArg::Sectors)
+}
+
+/// The options that are not the default, as they are written.
+fn reading(args: &Args) -> String {
+    let cells = match args.cells {
+        CellsArg::Sectors => "",
+        CellsArg::Subsectors => "--cells subsectors",
+    };
+    [cells, &args.plan.stated()].join(" ").trim().to_owned()
+}
+
+fn write(args: &Args, report: &PvsReport) -> Result<(), Failure> {
+    if let Some(npy) = &args.npy {
+        let bytes = report.matrix.to_npy();
+        files::write(Some(npy), |out| out.write_all(&bytes))?;
+    }
+    if let Some(reject) = &args.reject {
+        let table = doom::reject_table(&report.matrix);
+        files::write(Some(reject), |out| out.write_all(table.bytes()))?;
+    }
+    match &args.output {
+        Some(output) => files::write(Some(output), |out| report.write(out)),
+        None => Ok(()),
+    }
 }
 
 /// A plan is decided whole and in one go.
@@ -72,26 +108,40 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
 /// `None` if interrupted.
 pub(in crate::cli) type Found = Option<(Matrix, Vec<PairWitness>)>;
 
-/// Which cells see which, and lines that show it where they are wanted.
-pub(in crate::cli) fn sights(
-    planar: &Planar,
-    wants_witnesses: bool,
-    progress: &dyn Progress,
-) -> Found {
-    match planar {
-        Planar::Divided { cells, .. } => sweep(&cells.graph, wants_witnesses, progress),
-        Planar::Graph(graph) => search(graph, progress),
-    }
+/// What is asked for besides open or not open.
+#[derive(Clone, Copy)]
+pub(in crate::cli) struct Wants {
+    /// A line for each open pair.
+    pub(in crate::cli) witnesses: bool,
+    /// Which of the other pairs are grazing.
+    pub(in crate::cli) grazing: bool,
 }
 
-fn sweep(graph: &PlanGraph, wants_witnesses: bool, progress: &dyn Progress) -> Found {
-    let crossings = graph.crossings();
-    let groups = Groups::cells(graph.cells.len());
-    if !wants_witnesses {
-        return Some((plan_matrix(graph, &crossings, &groups, progress)?, Vec::new()));
+/// Which cells see which, or which sectors of a level.
+pub(in crate::cli) fn sights(
+    planar: &Planar,
+    sectors_of: Option<&DoomLevel>,
+    wants: Wants,
+    progress: &dyn Progress,
+) -> Found {
+    let graph = match planar {
+        Planar::Graph(graph) => return search(graph, progress),
+        Planar::Divided { cells, .. } => &cells.graph,
+    };
+    let cover = match sectors_of {
+        Some(level) => level.cover(),
+        None => Cover::cells(graph.cells.len()),
+    };
+    let (crossings, groups) = (graph.crossings(), cover.groups());
+    let (mut matrix, sights) = match wants.witnesses {
+        true => plan_sights(graph, &crossings, groups, &|_, _| true, progress)?,
+        false => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
+    };
+    if wants.grazing {
+        classify_plan_grazing(graph, &crossings, groups, &mut matrix, progress)?;
     }
-    let (matrix, sights) = plan_sights(graph, &crossings, &groups, progress)?;
-    Some((matrix, sights.into_iter().map(witness).collect()))
+    let sights = if wants.witnesses { cover.sights(graph, sights) } else { sights };
+    Some((cover.matrix(matrix), sights.into_iter().map(witness).collect()))
 }
 
 fn witness(sight: PlanSight) -> PairWitness {

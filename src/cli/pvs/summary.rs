@@ -1,9 +1,9 @@
 //! What `stabline pvs` tells of a result and of how it came about.
 
+use super::super::plan::Planar;
 use super::Args;
 use crate::pvs::Finished;
 use crate::report::{ObjectsReport, PvsReport};
-use crate::scene::plan::PlanGraph;
 use crate::scene::{CellOrder, PortalGraph};
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -90,11 +90,12 @@ pub(super) fn summary(
 }
 
 /// The summary of a floorplan's result, as text or as JSON.
-pub(super) fn plan_summary(graph: &PlanGraph, report: &PvsReport, as_json: bool) -> String {
+pub(super) fn plan_summary(planar: &Planar, report: &PvsReport, as_json: bool) -> String {
+    let graph = planar.graph();
     let counts = report.matrix.counts();
     let cells = report.cells.len() as u64;
     if as_json {
-        let value = serde_json::json!({
+        let mut value = serde_json::json!({
             "format": "stabline-pvs-summary/1",
             "input": {"name": report.input.name, "blake3": report.input.blake3},
             "reading": report.reading,
@@ -110,6 +111,10 @@ pub(super) fn plan_summary(graph: &PlanGraph, report: &PvsReport, as_json: bool)
                 "diagonal_included": true,
             },
         });
+        if let Some(level) = planar.level() {
+            value["leaves"] = graph.cells.len().into();
+            value["oddities"] = level.oddities_as_json();
+        }
         return format!("{value:#}\n");
     }
     let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
@@ -118,6 +123,9 @@ pub(super) fn plan_summary(graph: &PlanGraph, report: &PvsReport, as_json: bool)
         report.input.name,
         graph.portals.len(),
     );
+    if planar.level().is_some() {
+        text += &format!("sectors of {} leaves\n", graph.cells.len());
+    }
     text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
     if report.grazing_classified {
         text += &format!("grazing    {:>10}  {:5.1} %\n", counts.grazing, percent(counts.grazing));

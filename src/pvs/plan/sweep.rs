@@ -114,13 +114,20 @@ impl<'a> Sweep<'a> {
             .map(|()| firsts)
     }
 
-    /// The pairs that a vertex is the first of, with their lines, in the order of the turn.
-    fn sights(&self, line: &mut TurningLine, firsts: &Firsts, vertex: u32) -> Vec<PlanSight> {
+    /// The pairs that a vertex is the first of and that are wanted, with their lines, in the order of
+    /// the turn.
+    fn sights(
+        &self,
+        line: &mut TurningLine,
+        firsts: &Firsts,
+        vertex: u32,
+        is_wanted: &dyn Fn(u32, u32) -> bool,
+    ) -> Vec<PlanSight> {
         let mut sights: Vec<PlanSight> = Vec::new();
         let mut seen = rustc_hash::FxHashSet::default();
         line.turn_around(vertex, self.around.at(vertex), &mut |g, h, chain: &Chain| {
             let is_first = g != h && firsts.of(g, h).load(Relaxed) == vertex;
-            if is_first && seen.insert((g.min(h), g.max(h))) {
+            if is_first && is_wanted(g.min(h), g.max(h)) && seen.insert((g.min(h), g.max(h))) {
                 let ways = chain.ways(g, h, g < h);
                 let portals = ways.iter().map(|way| way.portal).collect();
                 let line = witness::line(self.graph, &ways);
@@ -144,7 +151,8 @@ pub fn plan_matrix(
     Some(Sweep::new(graph, crossings, groups).firsts(progress)?.matrix())
 }
 
-/// The same with a line for each open pair, in ascending order. `None` if interrupted.
+/// The same with a line for each open pair that is wanted, the lower group first, in ascending
+/// order. `None` if interrupted.
 ///
 /// # Panics
 /// If the graph states no polygons.
@@ -152,6 +160,7 @@ pub fn plan_sights(
     graph: &PlanGraph,
     crossings: &Crossings,
     groups: &Groups,
+    is_wanted: &(dyn Fn(u32, u32) -> bool + Sync),
     progress: &dyn Progress,
 ) -> Option<(Matrix, Vec<PlanSight>)> {
     let sweep = Sweep::new(graph, crossings, groups);
@@ -163,7 +172,7 @@ pub fn plan_sights(
         .map_init(
             || sweep.line(),
             |line, &vertex| {
-                let sights = sweep.sights(line, &firsts, vertex);
+                let sights = sweep.sights(line, &firsts, vertex, is_wanted);
                 progress.advance(1);
                 (!progress.is_interrupted()).then_some(sights)
             },

@@ -1,14 +1,15 @@
 use super::*;
 use crate::num::{Number, Rational};
-use crate::oracle::Random;
+use crate::oracle::{PlaneTruth, Random, classify_2d};
 use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::pvs::{Options, assemble, compute};
 use crate::report::{Matrix, Silent, Verdict};
+use crate::scene::CellId;
 use crate::scene::plan::{Plan, PlanGraph, RawPlan, RawSegment};
 use crate::subdivision::plan::{PlanMethod, divide};
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
-fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
+pub(super) fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     let number = |c: i64| Number::Small(c, 1);
     let segments = segments
         .iter()
@@ -16,7 +17,7 @@ fn plan(segments: &[[[i64; 2]; 2]]) -> Plan {
     Plan::from_raw(&RawPlan { segments: segments.collect(), ..RawPlan::default() }).unwrap()
 }
 
-fn cells(plan: &Plan) -> PlanCells {
+pub(super) fn cells(plan: &Plan) -> PlanCells {
     let tree = divide(plan, &PlanMethod::Bsp, &Silent).unwrap();
     cells_of_plan(plan, tree, false).unwrap()
 }
@@ -65,7 +66,7 @@ fn compare(segments: &[[[i64; 2]; 2]]) -> (u64, u64) {
     let graph = &cells.graph;
     let crossings = graph.crossings();
     let groups = Groups::cells(graph.cells.len());
-    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &Silent).unwrap();
+    let (matrix, sights) = plan_sights(graph, &crossings, &groups, &|_, _| true, &Silent).unwrap();
     assert_eq!(matrix, plan_matrix(graph, &crossings, &groups, &Silent).unwrap());
     check_sights(graph, &groups, &matrix, &sights);
     let expected = matrix_in_space(graph);
@@ -103,4 +104,84 @@ fn the_search_in_space_agrees_on_random_plans() {
         counts[1] += closed;
     }
     assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
+}
+
+/// Every simple portal sequence between two cells, each judged by the twin of the hourglass.
+fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
+    let crossings = graph.crossings();
+    let point = |end: u32| {
+        let [x, y, w] = graph.points.get(end).numbers();
+        // A common multiple of all denominators that occur here.
+        let scale = crate::num::Int::from(720_720u64 * 30_030);
+        assert!((&scale % &w).is_zero(), "{w}");
+        crate::geom::BigPoint2 { coordinates: [x, y].map(|c| c * (&scale / &w)) }
+    };
+    let mut best = vec![PlaneTruth::Blocked; matrix.size() * matrix.size()];
+    for from in 0..matrix.size() as u32 {
+        let mut stack: Vec<(Vec<CellId>, Vec<[crate::geom::BigPoint2; 2]>)> =
+            vec![(vec![CellId(from)], Vec::new())];
+        while let Some((cells, segments)) = stack.pop() {
+            for way in crossings.from(*cells.last().unwrap()) {
+                if cells.contains(&way.to) {
+                    continue;
+                }
+                let mut segments = segments.clone();
+                segments.push([point(way.left), point(way.right)]);
+                let truth = classify_2d(&segments);
+                if truth == PlaneTruth::Blocked {
+                    continue;
+                }
+                let entry = &mut best[from as usize * matrix.size() + way.to.0 as usize];
+                if *entry != PlaneTruth::Open {
+                    *entry = truth.clone();
+                }
+                let cells = cells.iter().copied().chain([way.to]).collect();
+                stack.push((cells, segments));
+            }
+        }
+        for to in 0..matrix.size() {
+            let verdict = match best[from as usize * matrix.size() + to] {
+                PlaneTruth::Open => Verdict::Open,
+                PlaneTruth::Grazing => Verdict::Grazing,
+                PlaneTruth::Blocked => Verdict::NotOpen,
+            };
+            if to != from as usize {
+                matrix.set(from as usize, to, verdict);
+            }
+        }
+    }
+}
+
+#[test]
+fn grazing_pairs_are_those_of_all_sequences() {
+    let mut random = Random::new(12);
+    let mut grazing = 0;
+    for round in 0..800 {
+        let mut segments = Vec::new();
+        let count = random.between(2, if round % 2 == 0 { 7 } else { 5 });
+        while segments.len() < count as usize {
+            let mut ends = [(); 2].map(|()| [(); 2].map(|()| random.between(0, 4)));
+            if round % 2 == 0 {
+                let axis = random.between(0, 1) as usize;
+                ends[1][axis] = ends[0][axis];
+            }
+            if ends[0] != ends[1] {
+                segments.push(ends);
+            }
+        }
+        let cells = cells(&plan(&segments));
+        let graph = &cells.graph;
+        if graph.portals.len() > 16 {
+            continue;
+        }
+        let crossings = graph.crossings();
+        let groups = Groups::cells(graph.cells.len());
+        let mut matrix = plan_matrix(graph, &crossings, &groups, &Silent).unwrap();
+        classify_plan_grazing(graph, &crossings, &groups, &mut matrix, &Silent).unwrap();
+        let mut expected = Matrix::new(matrix.size(), Verdict::Open);
+        classify_by_sequences(graph, &mut expected);
+        assert_eq!(matrix, expected, "{segments:?}");
+        grazing += matrix.counts().grazing;
+    }
+    assert!(grazing > 50, "{grazing}");
 }

@@ -10,21 +10,47 @@ use num_integer::Integer;
 /// Parts of a portal at which simple lines are tried.
 const FRACTIONS: [(i64, i64); 7] = [(1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (1, 8), (7, 8)];
 
+/// Two points of a line in its direction, in grid units.
+#[derive(Clone, Debug)]
+pub(super) struct Through([PlanPoint; 2]);
+
+/// Where the ends of portals are, by number.
+type Points<'a> = &'a dyn Fn(u32) -> &'a PlanPoint;
+
+impl Through {
+    /// Whether the line passes a portal strictly between its ends.
+    pub(super) fn passes(&self, points: Points, way: &Crossing) -> bool {
+        let Through([from, to]) = self;
+        turn_of_points(from, to, points(way.left)) == Sign::Positive
+            && turn_of_points(from, to, points(way.right)) == Sign::Negative
+    }
+
+    pub(super) fn in_world(&self, grid: &Int) -> [[Number; 2]; 2] {
+        let world = |c: Rational| Number::from(c / grid);
+        self.0.each_ref().map(|point| point.coordinates().map(world))
+    }
+}
+
 /// Two points of a line that passes all portals strictly between their ends, in world units.
 ///
 /// # Panics
 /// If no line does.
 pub(super) fn line(graph: &PlanGraph, ways: &[Crossing]) -> [[Number; 2]; 2] {
-    let points = simple(graph, ways).unwrap_or_else(|| inner(graph, ways));
-    let grid = Rational::from(graph.grid.clone());
-    points.map(|point| point.map(|c| Number::from(c / &grid)))
+    through(&|end| graph.points.get(end), ways).in_world(&graph.grid)
+}
+
+/// The same, in grid units.
+///
+/// # Panics
+/// If no line does.
+pub(super) fn through(points: Points, ways: &[Crossing]) -> Through {
+    simple(points, ways).unwrap_or_else(|| inner(points, ways))
 }
 
 /// A line through simple parts of the first and the last portal.
-fn simple(graph: &PlanGraph, ways: &[Crossing]) -> Option<[[Rational; 2]; 2]> {
+fn simple(points: Points, ways: &[Crossing]) -> Option<Through> {
     let (first, last) = (ways.first()?, ways.last()?);
-    let ends =
-        |way: &Crossing| [way.left, way.right].map(|end| graph.points.get(end).coordinates());
+    let ends = |way: &Crossing| [way.left, way.right].map(|end| points(end).coordinates());
     let part = |way: &Crossing, (p, q): (i64, i64)| {
         let t = Rational::new(p.into(), q.into());
         let [a, b] = ends(way);
@@ -34,33 +60,28 @@ fn simple(graph: &PlanGraph, ways: &[Crossing]) -> Option<[[Rational; 2]; 2]> {
         let [l, r] = ends(first);
         let middle = part(first, (1, 2));
         let beyond = [&middle[0] + (&l[1] - &r[1]), &middle[1] - (&l[0] - &r[0])];
-        return Some([middle, beyond]);
+        return Some(Through([middle, beyond].map(|p| PlanPoint::from_coordinates(&p))));
     }
     for f in FRACTIONS {
-        let start = part(first, f);
-        let from = PlanPoint::from_coordinates(&start);
+        let from = PlanPoint::from_coordinates(&part(first, f));
         for l in FRACTIONS {
-            let end = part(last, l);
-            let to = PlanPoint::from_coordinates(&end);
-            if from != to && passes(graph, ways, &from, &to) {
-                return Some([start, end]);
+            let to = PlanPoint::from_coordinates(&part(last, l));
+            if from == to {
+                continue;
+            }
+            let line = Through([from.clone(), to]);
+            if ways.iter().all(|way| line.passes(points, way)) {
+                return Some(line);
             }
         }
     }
     None
 }
 
-fn passes(graph: &PlanGraph, ways: &[Crossing], from: &PlanPoint, to: &PlanPoint) -> bool {
-    ways.iter().all(|way| {
-        turn_of_points(from, to, graph.points.get(way.left)) == Sign::Positive
-            && turn_of_points(from, to, graph.points.get(way.right)) == Sign::Negative
-    })
-}
-
 /// The line that the hourglass of the portals gives.
-fn inner(graph: &PlanGraph, ways: &[Crossing]) -> [[Rational; 2]; 2] {
+fn inner(points: Points, ways: &[Crossing]) -> Through {
     let ends = ways.iter().flat_map(|way| [way.left, way.right]);
-    let numbers: Vec<[Int; 3]> = ends.map(|end| graph.points.get(end).numbers()).collect();
+    let numbers: Vec<[Int; 3]> = ends.map(|end| points(end).numbers()).collect();
     let common = numbers.iter().fold(Int::from(1), |common, [_, _, w]| common.lcm(w));
     let scaled = |[x, y, w]: &[Int; 3]| {
         let factor = &common / w;
@@ -74,5 +95,6 @@ fn inner(graph: &PlanGraph, ways: &[Crossing]) -> [[Rational; 2]; 2] {
         unreachable!("a line passes these portals");
     };
     let common = Rational::from(common);
-    witness.points.map(|point| point.map(|c| c / &common))
+    let scaled_back = |point: [Rational; 2]| point.map(|c| c / &common);
+    Through(witness.points.map(|point| PlanPoint::from_coordinates(&scaled_back(point))))
 }

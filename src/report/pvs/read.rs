@@ -164,9 +164,6 @@ fn read_witnesses(
         if witnesses.last().is_some_and(|last| (last.from, last.to) >= (from, to)) {
             return error(format!("the pair {from}, {to} is out of ascending order"));
         }
-        if portals.is_empty() {
-            return error("expected one portal or more".to_owned());
-        }
         let mut numbers = Vec::with_capacity(6);
         for text in line.iter().flatten() {
             match Number::parse(text) {
@@ -186,6 +183,10 @@ fn read_witnesses(
                 Err(_) => return error("expected points of two or three coordinates".to_owned()),
             },
         };
+        // Sectors of a Doom level may share a leaf; cells of space share nothing.
+        if portals.is_empty() && matches!(line, WitnessLine::Space(_)) {
+            return error("expected one portal or more".to_owned());
+        }
         witnesses.push(PairWitness { from, to, portals, line });
     }
     Ok(witnesses)

@@ -3,6 +3,7 @@
 use super::{World, WorldWarning, geometry, soup};
 use crate::formats::gltf::Files;
 use crate::formats::json::{GeometryFile, SceneKind};
+use crate::formats::wad::Archive;
 use crate::formats::{gltf, obj};
 use crate::scene::input::{InputError, InputErrorKind};
 use crate::scene::level::{LevelOptions, read_level};
@@ -29,7 +30,7 @@ pub enum InputKind {
     Geometry,
     /// What states cells and portals, or is none of these.
     Graph,
-    /// A JSON scene that states a floorplan, or cells of the plane.
+    /// A JSON scene that states a floorplan, or cells of the plane; or an archive of Doom levels.
     Plan,
 }
 
@@ -49,6 +50,9 @@ impl InputKind {
         }
         if ends(".obj") {
             return Ok(InputKind::Obj);
+        }
+        if Archive::is_archive(bytes) {
+            return Ok(InputKind::Plan);
         }
         if bytes.trim_ascii_start().first() != Some(&b'{') {
             return Ok(InputKind::Graph);

@@ -5,7 +5,7 @@
 //! is weakly right must pass through every end that has a weight, which leaves one line, the lines
 //! through one point, or none to be tried for grazing.
 
-use super::{Hourglass, State, is_left};
+use super::{Hourglass, is_left};
 use crate::geom::BigPoint2;
 use crate::num::{Int, Rational, Sign};
 use crate::predicates::orient2d_big;
@@ -68,14 +68,12 @@ impl Hourglass {
     /// # Panics
     /// If the sequence is empty.
     pub fn verdict(&self) -> PlaneVerdict {
-        let Some(state) = self.states.last() else { panic!("the verdict on no segment") };
-        let (list, end) = match state {
-            State::Open(list) => {
-                return PlaneVerdict::Open(self.witness(&self.arena[list.clone()]));
-            }
-            State::Closed(list, end) => (&self.arena[list.clone()], *end),
+        assert!(self.depth() > 0, "the verdict on no segment");
+        let list = self.list();
+        let Some((end, _)) = self.chains.closed_by() else {
+            return PlaneVerdict::Open(self.witness(&list));
         };
-        let terms = self.certificate(list, end);
+        let terms = self.certificate(&list, end);
         let touching = self.touching_line(&terms);
         let certificate = terms
             .into_iter()
@@ -138,7 +136,7 @@ impl Hourglass {
         let points: Vec<BigPoint2> = certificate.iter().map(|(end, _)| self.point(*end)).collect();
         let first = &points[0];
         let fits = |line: &[BigPoint2; 2]| {
-            (0..2 * self.states.len() as u32).all(|end| {
+            (0..2 * self.depth() as u32).all(|end| {
                 let wrong = if is_left(end) { Sign::Negative } else { Sign::Positive };
                 orient2d_big(&line[0], &line[1], &self.point(end)) != wrong
             })
@@ -150,7 +148,7 @@ impl Hourglass {
             Some(second) => both(second).into_iter().find(fits),
             // A left and a right end in one point: the line can be turned about it until it meets
             // another end.
-            None => (0..2 * self.states.len() as u32)
+            None => (0..2 * self.depth() as u32)
                 .map(|end| self.point(end))
                 .filter(|p| p != first)
                 .find_map(|p| both(&p).into_iter().find(fits)),
@@ -160,7 +158,7 @@ impl Hourglass {
     /// A line strictly inside the cone of `list`: through simple points of the first and the last
     /// segment if such a line passes, else the sum of all extremal lines.
     fn witness(&self, list: &[u32]) -> PlaneWitness {
-        let last = self.states.len() - 1;
+        let last = self.depth() - 1;
         const FRACTIONS: [(i64, i64); 7] = [(1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (1, 8), (7, 8)];
         let on = |portal: usize, (p, q): (i64, i64)| {
             let t = Rational::new(p.into(), q.into());

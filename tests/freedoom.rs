@@ -1,0 +1,75 @@
+//! The levels of Freedoom, which is no part of this repository: tests skip themselves without it.
+
+mod support;
+
+use stabline::formats::wad::{Archive, MapForm, RejectTable};
+use stabline::scene::plan::DoomOddity;
+use support::wads::{divided, faced, freedoom, half_point};
+
+/// Pseudorandom numbers, the same in every run.
+fn next(state: &mut u64) -> u64 {
+    *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+    *state >> 33
+}
+
+#[test]
+fn every_map_is_read_and_has_a_whole_reject_lump() {
+    let Some(archives) = freedoom() else { return };
+    let mut count = 0;
+    for bytes in &archives {
+        let archive = Archive::read(bytes).unwrap();
+        for name in archive.maps() {
+            let map = archive.map(name).unwrap();
+            assert_eq!(map.form, MapForm::Doom, "{name}");
+            let table = RejectTable::read(&map.reject.unwrap(), map.sectors).unwrap();
+            assert!((0..map.sectors).all(|sector| !table.rejects(sector, sector)), "{name}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 36 + 32);
+}
+
+#[test]
+fn leaves_are_of_the_sector_that_the_next_line_faces() {
+    let Some(archives) = freedoom() else { return };
+    let mut state = 1;
+    for bytes in &archives {
+        let archive = Archive::read(bytes).unwrap();
+        for name in archive.maps() {
+            let map = archive.map(name).unwrap();
+            let (doom, cells, areas) = divided(&map);
+            let is_unclosed = |oddity: &DoomOddity| matches!(oddity, DoomOddity::Unclosed { .. });
+            let unclosed: Vec<u32> = areas
+                .oddities
+                .iter()
+                .filter(|oddity| is_unclosed(oddity))
+                .flat_map(DoomOddity::sectors)
+                .collect();
+            let [low, high] = [0, 2].map(|corner| {
+                let corner = doom.plan.points.get(doom.plan.bounds[corner]);
+                corner.small_integers().unwrap()
+            });
+            for _ in 0..100 {
+                let doubled = [0, 1].map(|axis| {
+                    let width = (high[axis] - low[axis]) as u64;
+                    2 * (low[axis] + (next(&mut state) % width) as i64) + 1
+                });
+                let sectors = areas.sectors_of_leaf(cells.tree.locate(&half_point(doubled)));
+                let faced = faced(&map, &doom, doubled);
+                // A line with one sector on both sides may face an area of another.
+                let weak = |sector: &u32| {
+                    unclosed.contains(sector)
+                        || doom
+                            .lines
+                            .iter()
+                            .any(|line| line.is_self_referencing() && line.front == Some(*sector))
+                };
+                match faced {
+                    Some(sector) if weak(&sector) => {}
+                    Some(sector) => assert_eq!(sectors, [sector], "{name} {doubled:?}"),
+                    None => assert!(sectors.is_empty(), "{name} {doubled:?} {sectors:?}"),
+                }
+            }
+        }
+    }
+}
