@@ -209,7 +209,7 @@ fn the_visible_area_is_what_no_face_hides() {
 fn coarser_culls_leave_more() {
     let options = ["--what", "eye", "--at", "15,15", "--look", "1,2", "--half-tangent", "1/2"];
     let mut areas = Vec::new();
-    for cull in ["none", "disjoint", "connected", "portals", "exact"] {
+    for cull in ["none", "disjoint", "component", "portals", "exact"] {
         let picture = Picture::render(&drawn(OFFICE, &[&options[..], &["--cull", cull]].concat()));
         areas.push([LEFT, CULLED, SEEN].map(|colour| picture.count(colour)));
     }
@@ -292,7 +292,7 @@ fn what_cannot_be_drawn_is_said() {
     let look = [&eye("5,5")[..], &["--look", "0,0", "--half-tangent", "1"]].concat();
     assert_fails(&at(&look), 2, "--look");
     assert_fails(&at(&[&look[..look.len() - 2]].concat()), 2, "--half-tangent");
-    assert_fails(&at(&[GRAPH, "--what", "splits"]), 3, "needs a floorplan");
+    assert_fails(&at(&[GRAPH, "--what", "splits"]), 3, "this picture needs a floorplan");
     assert_fails(&at(&["nowhere.json"]), 3, "cannot read");
     let out = folder.path().join("no/folder.svg");
     assert_fails(&at(&[OFFICE, "-o", out.to_str().unwrap()]), 3, "cannot write");

@@ -20,7 +20,7 @@ pub struct EyeDrawing {
     /// What is seen exactly: convex polygons, in grid units.
     pub regions: Vec<Vec<PlanPoint>>,
     /// What the cull is called.
-    pub cull: String,
+    pub cull: &'static str,
 }
 
 /// Draws an eye and its cone, the cells that the cull leaves in blue, those that it removes in

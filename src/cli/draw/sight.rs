@@ -4,8 +4,9 @@ use super::super::exit::Failure;
 use super::super::numbers::numbers;
 use super::super::plan::Planar;
 use super::super::pvs::plan::{Wants, sights};
-use super::{Args, Cull};
-use crate::draw::{self, EyeDrawing, Floor, Sheet, SheetOptions, Sightline, TreeNode};
+use super::Args;
+use super::asked::Cull;
+use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline, TreeNode};
 use crate::eye::plan::{CellSight, EyePlan, TreeVertex, ViewCone};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
@@ -47,6 +48,7 @@ fn on_grid(graph: &PlanGraph, line: &WitnessLine) -> [[Rational; 2]; 2] {
 }
 
 /// An eye as the options state it.
+#[derive(Debug)]
 pub(super) struct Eye {
     at: [Rational; 2],
     cone: Option<ViewCone>,
@@ -98,33 +100,23 @@ pub(super) fn draw_eye(
         visible: tree.cells(),
         left,
         regions: regions.into_iter().map(|region| region.polygon).collect(),
-        cull: cull.name(),
+        cull: cull.method().name(),
     };
     Ok(draw::draw_eye(sheet, floor, place.eye(), &drawing))
 }
 
-/// Draws the stab tree of a cell, over the plan or by itself.
-pub(super) fn draw_tree(
-    graph: &PlanGraph,
-    (sheet, floor): (Sheet, &Floor),
-    from: CellId,
-    alone: Option<&SheetOptions>,
-) -> Result<String, Failure> {
-    let tree = stab_tree(graph, from)?;
-    let root = TreeNode { cell: from, before: None };
-    // The root comes first, so that all others are one later.
+/// The stab tree of a cell.
+pub(super) fn stab_tree(graph: &PlanGraph, from: CellId) -> Result<PlanStabTree, Failure> {
+    let trees = plan_stab_trees(graph, &graph.crossings(), &[from], false, &Silent);
+    trees.and_then(|mut trees| trees.pop()).ok_or(Failure::Interrupted)
+}
+
+/// The nodes of a stab tree as they are drawn: its root comes first.
+pub(super) fn nodes(tree: &PlanStabTree) -> Vec<TreeNode> {
+    let root = TreeNode { cell: tree.source, before: None };
     let node = |node: &PlanStabNode| {
         let parent = node.parent.map_or(0, |parent| parent + 1);
         TreeNode { cell: node.cell, before: Some((parent, node.portal)) }
     };
-    let nodes: Vec<TreeNode> = iter::once(root).chain(tree.nodes.iter().map(node)).collect();
-    Ok(match alone {
-        Some(options) => draw::draw_tree_graph(&graph.cells, &nodes, options),
-        None => draw::draw_stab_tree(sheet, floor, &nodes),
-    })
-}
-
-fn stab_tree(graph: &PlanGraph, from: CellId) -> Result<PlanStabTree, Failure> {
-    let trees = plan_stab_trees(graph, &graph.crossings(), &[from], false, &Silent);
-    trees.and_then(|mut trees| trees.pop()).ok_or(Failure::Interrupted)
+    iter::once(root).chain(tree.nodes.iter().map(node)).collect()
 }
