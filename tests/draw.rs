@@ -4,14 +4,18 @@
 mod pictures;
 mod support;
 
-use pictures::{Picture, assert_readable};
+use pictures::{Picture, assert_readable, labels};
 use stabline::draw::{Floor, Frame, Sheet, SheetOptions};
+use stabline::formats::wad::{Archive, MapForm};
 use stabline::num::{Int, Rational};
 use stabline::portal::plan::{PlanCells, cells_of_plan};
 use stabline::predicates::PlanPoint;
+use stabline::pvs::plan::plan_stab_trees;
 use stabline::report::Silent;
+use stabline::scene::CellId;
 use stabline::scene::plan::{Plan, PlanInput, read_plan};
 use stabline::subdivision::plan::{PlanMethod, divide};
+use support::wads::{divided, two_rooms};
 use support::{assert_fails, root, scenes, stabline, stderr, stdout};
 
 const OFFICE: &str = "scenes/draw/office_corridor_doors.json";
@@ -27,6 +31,9 @@ const VISIBLE: &str = "#9ecae1";
 const LEFT: &str = "#6ba6d8";
 const CULLED: &str = "#b7e2a8";
 const SEEN: &str = "#007c78";
+const SIGHT: &str = "#b84800";
+const HINT: &str = "#969696";
+const OUTSIDE: &str = "#e4e4e4";
 const LINE: &str = "#c8102e";
 
 /// A floorplan and where a picture of it puts things.
@@ -58,6 +65,18 @@ impl Drawn {
     fn cell_at(&self, point: [i64; 2]) -> String {
         let cell = self.cells.locate(&PlanPoint::integer(point.map(Int::from))).unwrap();
         self.cells.graph.cells[cell.0 as usize].clone()
+    }
+
+    /// Asserts that faces are black all along: lines are drawn over them.
+    fn assert_no_line_crosses_a_face(&self, picture: &Picture) {
+        for face in &self.plan.segments {
+            let [a, b] = face.ends.map(|end| self.plan.points.get(end).small_integers().unwrap());
+            let length = (b[0] - a[0]).abs().max((b[1] - a[1]).abs());
+            for at in 1..length {
+                let halves = [0, 1].map(|i| 2 * (a[i] * (length - at) + b[i] * at) / length);
+                assert_eq!(picture.at_halves(self.frame(), halves), WALL, "{halves:?}");
+            }
+        }
     }
 
     /// Whether a segment between two points, in halves of units, misses all faces: by the signs of
@@ -163,14 +182,85 @@ fn what_a_cell_sees_is_light_and_its_lines_cross_no_face() {
         let halves = point.map(|c| 2 * c);
         assert_eq!(picture.at_halves(office.frame(), halves), colour, "{point:?}");
     }
-    // Lines are drawn over faces.
-    for face in &office.plan.segments {
-        let [a, b] = face.ends.map(|end| office.plan.points.get(end).small_integers().unwrap());
-        let length = (b[0] - a[0]).abs().max((b[1] - a[1]).abs());
-        for at in 1..length {
-            let halves = [0, 1].map(|i| 2 * (a[i] * (length - at) + b[i] * at) / length);
-            assert_eq!(picture.at_halves(office.frame(), halves), WALL, "{halves:?}");
+    office.assert_no_line_crosses_a_face(&picture);
+}
+
+#[test]
+fn stab_trees_run_through_their_portals() {
+    let office = Drawn::of(OFFICE);
+    let from = office.cell_at([10, 10]);
+    let graph = &office.cells.graph;
+    let source = CellId(from.parse().unwrap());
+    let trees = plan_stab_trees(graph, &graph.crossings(), &[source], false, &Silent).unwrap();
+    let nodes = &trees[0].nodes;
+    assert!(nodes.len() > 8, "{nodes:?}");
+
+    let svg = drawn(OFFICE, &["--what", "stab-tree", "--from", &from]);
+    assert!(svg.contains(&format!("stab tree, {} nodes", nodes.len() + 1)), "{svg}");
+    let picture = Picture::render(&svg);
+    office.assert_no_line_crosses_a_face(&picture);
+    for node in nodes {
+        let [a, b] = office.floor.portals[node.portal as usize];
+        let middle = [0, 1].map(|i| (a[i] + b[i]) / 2.0);
+        assert_eq!(picture.at(middle), SIGHT, "{node:?}");
+    }
+
+    let svg = drawn(OFFICE, &["--what", "stab-tree-graph", "--from", &from]);
+    // A node each, the root, and that of the legend.
+    assert_eq!(svg.matches("<circle").count(), nodes.len() + 2, "{svg}");
+    let texts: Vec<String> = labels(&svg).into_iter().map(|label| label.text).collect();
+    for node in nodes {
+        let name = &graph.cells[node.cell.0 as usize];
+        assert!(texts.contains(name) && texts.contains(&node.portal.to_string()), "{node:?}");
+    }
+    let picture = Picture::render(&svg);
+    assert!(picture.count(SOURCE) > 200 && picture.count(VISIBLE) > 200 * nodes.len());
+}
+
+/// Two rooms with an open line between them, and a third one that nothing joins to them.
+#[test]
+fn levels_are_drawn_with_their_lines_and_what_a_sector_sees() {
+    let mut level = two_rooms();
+    level.path(&[[300, 0], [300, 128], [400, 128], [400, 0], [300, 0]], 2, None);
+    let bytes = level.archive("MAP01", MapForm::Doom);
+    let (doom, cells, _) = divided(&Archive::read(&bytes).unwrap().map("MAP01").unwrap());
+    let options = SheetOptions { title: String::new(), width: 960 };
+    let frame = Floor::of_plan(&doom.plan, &cells, &options).0.frame;
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("three.wad"), bytes).unwrap();
+    let at = |options: &[&str]| {
+        stabline(folder.path(), &[&["draw", "three.wad:MAP01"][..], options].concat())
+    };
+    let lines = [([64, 0], WALL), ([128, 64], HINT), ([400, 64], WALL), ([278, 60], OUTSIDE)];
+    let plain = [([30, 30], CELL), ([200, 90], CELL), ([350, 30], CELL)];
+    let shaded = [([30, 30], SOURCE), ([200, 90], VISIBLE), ([350, 30], CELL)];
+    let cells = (at(&["--what", "cells"]), plain, "lines and leaves");
+    let sectors = (at(&["--what", "sectors", "--from", "0"]), shaded, "sees 1 of 2 others");
+    for (run, areas, text) in [cells, sectors] {
+        let svg = stdout(&run);
+        assert!(svg.contains(text), "{svg}");
+        assert_readable(&svg);
+        let picture = Picture::render(&svg);
+        for (point, colour) in lines.into_iter().chain(areas) {
+            assert_eq!(picture.at_halves(&frame, point.map(|c| 2 * c)), colour, "{point:?}");
         }
+    }
+    assert_fails(&at(&["--what", "sectors", "--from", "3"]), 2, "expected a number below 3");
+    assert_fails(&at(&["--what", "sectors"]), 2, "--what sectors needs --from");
+}
+
+#[test]
+fn the_pictures_of_the_documentation_are_up_to_date() {
+    let visibility = ["--what", "visibility", "--from", "13"];
+    let eye = ["--what", "eye", "--at", "15,15", "--look", "1,2", "--half-tangent", "1/2"];
+    for (name, options) in [("draw-visibility.svg", &visibility[..]), ("draw-eye.svg", &eye[..])] {
+        let path = root().join("docs").join(name);
+        let kept = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(
+            kept,
+            drawn(OFFICE, options),
+            "stabline draw {OFFICE} {options:?} -o docs/{name}"
+        );
     }
 }
 
@@ -292,6 +382,8 @@ fn what_cannot_be_drawn_is_said() {
     let look = [&eye("5,5")[..], &["--look", "0,0", "--half-tangent", "1"]].concat();
     assert_fails(&at(&look), 2, "--look");
     assert_fails(&at(&[&look[..look.len() - 2]].concat()), 2, "--half-tangent");
+    assert_fails(&at(&[OFFICE, "--what", "sectors", "--from", "0"]), 3, "has no sectors");
+    assert_fails(&at(&[OFFICE, "--cull", "none"]), 2, "--what cells has no use for --cull");
     assert_fails(&at(&[GRAPH, "--what", "splits"]), 3, "this picture needs a floorplan");
     assert_fails(&at(&["nowhere.json"]), 3, "cannot read");
     let out = folder.path().join("no/folder.svg");

@@ -74,7 +74,7 @@ fn options(args: &Args, input: &Input, about: &str) -> SheetOptions {
 
 fn draw_plan(args: &Args, input: &Input, asked: &Asked) -> Result<String, Failure> {
     let planar = plan::read(input, &args.plan, &Silent)?;
-    let options = options(args, input, asked.about());
+    let options = options(args, input, asked.about(planar.level().is_some()));
     let (sheet, mut floor) = floor(&planar, &options);
     let cell = |name: &str| files::cell_of(&planar.graph().cells, &input.name, name);
     match (asked, &planar) {

@@ -19,6 +19,7 @@ mod sheet;
 mod splits;
 mod svg;
 mod tree;
+mod tree_graph;
 mod visibility;
 
 pub use cells::draw_cells;
@@ -30,5 +31,6 @@ pub use sequence::{SequenceLine, draw_sequence};
 pub use sheet::{DEFAULT_WIDTH, LEAST_WIDTH, Pen, Sample, Sheet, SheetOptions, Tip};
 pub use splits::draw_splits;
 pub use svg::{Place, Svg};
-pub use tree::{TreeNode, draw_stab_tree, draw_tree_graph};
+pub use tree::{TreeNode, draw_stab_tree};
+pub use tree_graph::draw_tree_graph;
 pub use visibility::{Sightline, draw_visibility};

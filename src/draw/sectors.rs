@@ -33,7 +33,7 @@ impl Shade {
 }
 
 /// Draws a level's lines, black where they are walls and grey where they are not, over its leaves,
-/// each in its shade; between leaves of one shade there are edges only if `has_edges`.
+/// each in its shade; plain leaves have edges if `has_edges`.
 ///
 /// `texts` are what the legend says of the shades, in their order; nothing of an empty one.
 pub fn draw_level(
@@ -48,7 +48,8 @@ pub fn draw_level(
     for (shade, text) in Shade::ALL.into_iter().zip(texts) {
         let colour = shade.colour();
         // A stroke of the same colour closes the seams that smooth edges leave.
-        let edge = if has_edges { palette::EDGE } else { colour };
+        let is_edged = has_edges && shade == Shade::Plain;
+        let edge = if is_edged { palette::EDGE } else { colour };
         let style = [("fill", colour), ("stroke", edge), ("stroke-width", &hair)];
         let of_shade = |cell: &CellId| shades[cell.0 as usize] == shade;
         let own: Vec<CellId> = floor.cells().filter(of_shade).collect();

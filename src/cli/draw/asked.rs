@@ -110,8 +110,9 @@ impl Asked {
     }
 
     /// What the title says.
-    pub(super) fn about(&self) -> &'static str {
+    pub(super) fn about(&self, is_level: bool) -> &'static str {
         match self {
+            Asked::Cells if is_level => "lines and leaves",
             Asked::Cells => "cells, portals, adjacency graph",
             Asked::Splits => "splits",
             Asked::Visibility { .. } => "cell-to-cell visibility",
