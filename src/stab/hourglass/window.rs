@@ -61,8 +61,8 @@ impl Window {
         (self.start, self.end) = (undo.start, undo.end);
     }
 
-    /// Keeps `before` numbers at the start and `after` at the end, with `new` in between. O(1) where
-    /// `after` is zero; else the window is written anew, behind the array.
+    /// Keeps `before` numbers at the start and `after` at the end, with `new` in between. O(1)
+    /// where `after` is zero; else the window is written anew, behind the array.
     pub(super) fn insert(&mut self, before: usize, new: u32, after: usize, undo: &mut Undo) {
         if after == 0 {
             let slot = self.start + before as u32;
