@@ -174,8 +174,11 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         let Some(trees) = tree::of_graph(&args, &graph)? else {
             return keeper.interrupted(&args, &part_header(&args, &input), &finished);
         };
-        files::write(Some(output), |out| trees.write(out, &report.input))?;
         clock.lap("stab trees");
+        files::write(Some(output), |out| trees.write(out, &report.input))?;
+        if args.stats {
+            summary::tell(&trees.size());
+        }
     }
     if let Some(npy) = &args.npy {
         let bytes = report.matrix.to_npy();

@@ -60,8 +60,11 @@ pub(super) fn run(
     }
     if let Some(output) = &args.stab_tree {
         let trees = tree::of_plan(args, &planar)?.ok_or(Failure::Interrupted)?;
-        files::write(Some(output), |out| trees.write(out, &report.input))?;
         clock.lap("stab trees");
+        files::write(Some(output), |out| trees.write(out, &report.input))?;
+        if args.stats {
+            summary::tell(&trees.size());
+        }
     }
     write(args, &report)?;
     clock.lap("write");

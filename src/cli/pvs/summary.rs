@@ -145,10 +145,15 @@ pub(super) fn plan_summary(
     text + &objects.map(super::objects::summary).unwrap_or_default()
 }
 
+/// Prints to standard error.
+pub(super) fn tell(text: &str) {
+    // Nothing is left to be told if standard error is closed.
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
 /// Prints times and peak memory.
 pub(super) fn print_times(clock: &Clock) {
-    // Nothing is left to be told if standard error is closed.
-    let _ = std::io::stderr().write_all((times(clock) + &memory()).as_bytes());
+    tell(&(times(clock) + &memory()));
 }
 
 /// Prints times, peak memory and how pairs were settled.

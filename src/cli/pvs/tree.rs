@@ -52,6 +52,18 @@ fn sources(args: &Args, cells: usize) -> Result<Vec<CellId>, Failure> {
 }
 
 impl Trees {
+    /// How large they are, in words.
+    pub(super) fn size(&self) -> String {
+        let (trees, nodes) = match self {
+            Trees::Space(trees) | Trees::Lifted(trees) => {
+                (trees.len(), trees.iter().map(|tree| tree.nodes.len()).sum::<usize>())
+            }
+            Trees::Plane(trees) => (trees.len(), trees.iter().map(|tree| tree.nodes.len()).sum()),
+        };
+        let mean = nodes as f64 / trees.max(1) as f64;
+        format!("stab trees: {trees}, of {nodes} nodes, {mean:.1} each\n")
+    }
+
     /// Writes the trees, one node a line.
     pub(super) fn write(&self, out: &mut dyn Write, input: &InputId) -> io::Result<()> {
         let input = serde_json::json!({"name": input.name, "blake3": input.blake3});
