@@ -250,7 +250,8 @@ proptest! {
         (0..doom.sectors).for_each(|sector| expected.set(sector, sector, Verdict::Open));
         prop_assert_eq!(&matrix, &expected);
         let pairs: Vec<_> = sights.iter().map(|sight| (sight.from, sight.to)).collect();
-        let open = |&(from, to): &(u32, u32)| expected.get(from as usize, to as usize) == Verdict::Open;
+        let verdict = |from: u32, to: u32| expected.get(from as usize, to as usize);
+        let open = |&(from, to): &(u32, u32)| verdict(from, to) == Verdict::Open;
         let numbers = 0..doom.sectors as u32;
         let ascending = numbers.clone().flat_map(|from| numbers.clone().map(move |to| (from, to)));
         let expected: Vec<_> = ascending.filter(|(from, to)| from < to).filter(open).collect();
