@@ -41,7 +41,7 @@ fn the_sectors_of_a_level_are_its_cells() {
     let folder = folder();
     insta::assert_snapshot!(prints(folder.path(), 0, &["pvs", "rooms.wad:map01"]), @r"
     rooms.wad:map01: 4 cells, 3 portals, in the plane
-    sectors of 4 leaves
+    4 sectors in 4 leaves
     open               14   87.5 %
     not open            2   12.5 %
     ordered pairs of cells, each cell with itself included; every open pair has an exact sightline
