@@ -1,5 +1,7 @@
 //! `stabline draw`: pictures of floorplans, and of what is seen in them.
 
+mod asked;
+mod level;
 mod sequence;
 mod sight;
 
@@ -7,16 +9,14 @@ use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::plan::{self, PlanArgs, Planar};
 use crate::draw::{self, DEFAULT_WIDTH, Floor, LEAST_WIDTH, Sheet, SheetOptions};
-use crate::eye::plan::PlanCull;
 use crate::report::Silent;
-use clap::ValueEnum;
-use sight::Eye;
+use asked::{Asked, Cull, What};
 use std::path::PathBuf;
 
 /// Draw a floorplan, or what is seen in it, as an SVG
 ///
-/// INPUT is a floorplan or a graph of the plane (`stabline-scene/1`), or a sequence of segments
-/// (`stabline-sequence/1`). What a picture shows was decided exactly; its places are rounded to a
+/// INPUT is a floorplan or a graph of the plane (`stabline-scene/1`), a Doom level
+/// (`FILE.wad:MAP01`), or a sequence of segments (`stabline-sequence/1`). What a picture shows was decided exactly; its places are rounded to a
 /// hundredth of its unit.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
@@ -25,7 +25,7 @@ pub(super) struct Args {
     /// Which picture of a plan
     #[arg(long, value_enum, value_name = "WHAT", default_value = "cells")]
     what: What,
-    /// The cell that one looks from: its name, or its number
+    /// The cell or the sector that one looks from: its name, or its number
     #[arg(long, value_name = "CELL")]
     from: Option<String>,
     /// Where the eye is: two decimals or ratios
@@ -37,9 +37,9 @@ pub(super) struct Args {
     /// The tangent of half the angle of view
     #[arg(long, value_name = "H", requires = "look")]
     half_tangent: Option<String>,
-    /// How cells are ruled out for the eye
-    #[arg(long, value_enum, value_name = "METHOD", default_value = "exact")]
-    cull: Cull,
+    /// How cells are ruled out for the eye [default: exact]
+    #[arg(long, value_enum, value_name = "METHOD")]
+    cull: Option<Cull>,
     /// The picture; standard output without
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
@@ -54,86 +54,16 @@ pub(super) struct Args {
     plan: PlanArgs,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum What {
-    /// Faces, cells, portals and the adjacency graph
-    Cells,
-    /// What the eye `--at` sees, and the cells that `--cull` leaves
-    Eye,
-    /// The lines that divide a floorplan, in the order of the tree
-    Splits,
-    /// The cells that `--from` sees, with a line to each
-    Visibility,
-}
-
-/// The culls of Teller and Séquin 1991, §4.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Cull {
-    /// What the eye's cell sees
-    None,
-    /// Of it the cells that meet the view cone
-    Disjoint,
-    /// Those that are reached through such cells
-    Connected,
-    /// Those that are reached through portals that meet it
-    Portals,
-    /// The cells that are seen
-    Exact,
-}
-
-impl Cull {
-    fn method(self) -> PlanCull {
-        match self {
-            Cull::None => PlanCull::None,
-            Cull::Disjoint => PlanCull::DisjointCell,
-            Cull::Connected => PlanCull::ConnectedComponent,
-            Cull::Portals => PlanCull::IncidentPortals,
-            Cull::Exact => PlanCull::Exact,
-        }
-    }
-
-    fn name(self) -> String {
-        let value = self.to_possible_value().expect("no cull is hidden");
-        value.get_name().to_owned()
-    }
-}
-
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
-    let eye = Eye::of(&args)?;
-    let needs = [(args.what == What::Visibility, args.from.is_some(), "--from")];
-    let needs = needs.into_iter().chain([(args.what == What::Eye, eye.is_some(), "--at")]);
-    for (is_needed, is_there, option) in needs {
-        if is_needed != is_there {
-            let verb = if is_needed { "needs" } else { "has no use for" };
-            let what = args.what.name();
-            return Err(Failure::usage(format!("--what {what} {verb} {option}")));
-        }
-    }
+    let asked = Asked::of(&args)?;
     files::check_outputs([&args.output])?;
     let input = Input::read(&args.input)?;
     let picture = match sequence::is_sequence(&input.bytes) {
         true => sequence::draw(&args, &input)?,
-        false => draw_plan(&args, &input, eye.as_ref())?,
+        false => draw_plan(&args, &input, &asked)?,
     };
     files::write(args.output.as_deref(), |out| out.write_all(picture.as_bytes()))?;
     Ok(Exit::Done)
-}
-
-impl What {
-    fn name(self) -> String {
-        let value = self.to_possible_value().expect("no picture is hidden");
-        value.get_name().to_owned()
-    }
-
-    /// What the title says.
-    fn about(self) -> &'static str {
-        match self {
-            What::Cells => "cells, portals, adjacency graph",
-            What::Eye => "eye-to-cell visibility",
-            What::Splits => "splits",
-            What::Visibility => "cell-to-cell visibility",
-        }
-    }
 }
 
 fn options(args: &Args, input: &Input, about: &str) -> SheetOptions {
@@ -142,29 +72,41 @@ fn options(args: &Args, input: &Input, about: &str) -> SheetOptions {
     SheetOptions { title, width: args.width }
 }
 
-fn draw_plan(args: &Args, input: &Input, eye: Option<&Eye>) -> Result<String, Failure> {
+fn draw_plan(args: &Args, input: &Input, asked: &Asked) -> Result<String, Failure> {
     let planar = plan::read(input, &args.plan, &Silent)?;
-    let cells = &planar.graph().cells;
-    let from = args.from.as_ref().map(|name| files::cell_of(cells, &input.name, name));
-    let from = from.transpose()?;
-    let options = options(args, input, args.what.about());
-    let (sheet, floor) = floor(&planar, &options);
-    match (args.what, &planar) {
-        (What::Cells, _) => Ok(draw::draw_cells(sheet, &floor)),
-        (What::Visibility, _) => {
-            let from = from.expect("checked with the arguments");
-            sight::draw_visibility(&planar, sheet, &floor, from)
+    let options = options(args, input, asked.about(planar.level().is_some()));
+    let (sheet, mut floor) = floor(&planar, &options);
+    let cell = |name: &str| files::cell_of(&planar.graph().cells, &input.name, name);
+    match (asked, &planar) {
+        (Asked::Cells, Planar::Divided { level: Some(level), .. }) => {
+            Ok(level::draw_leaves(level, sheet, &mut floor))
         }
-        (What::Splits, Planar::Divided { cells, .. }) => {
+        (Asked::Cells, _) => Ok(draw::draw_cells(sheet, &floor)),
+        (Asked::Visibility { from }, _) => {
+            sight::draw_visibility(&planar, sheet, &floor, cell(from)?)
+        }
+        (Asked::Splits, Planar::Divided { cells, .. }) => {
             Ok(draw::draw_splits(sheet, &floor, &cells.tree))
         }
-        (What::Eye, Planar::Divided { plan, cells, .. }) => {
-            let eye = eye.expect("checked with the arguments");
-            sight::draw_eye(&input.name, (plan, cells), (sheet, &floor), eye, args.cull)
+        (Asked::StabTree { from, is_alone }, Planar::Divided { cells, .. }) => {
+            let tree = sight::stab_tree(&cells.graph, cell(from)?)?;
+            let nodes = sight::nodes(&tree);
+            Ok(match is_alone {
+                true => draw::draw_tree_graph(&cells.graph.cells, &nodes, &options),
+                false => draw::draw_stab_tree(sheet, &floor, &nodes),
+            })
         }
-        (What::Splits | What::Eye, Planar::Graph(_)) => {
-            let what = args.what.name();
-            let message = format!("states cells without a shape; --what {what} needs a floorplan");
+        (Asked::Eye { eye, cull }, Planar::Divided { plan, cells, .. }) => {
+            sight::draw_eye(&input.name, (plan, cells), (sheet, &floor), eye, *cull)
+        }
+        (Asked::Sectors { from }, Planar::Divided { level: Some(level), .. }) => {
+            level::draw_sectors(&input.name, (&planar, level), (sheet, &mut floor), from)
+        }
+        (Asked::Sectors { .. }, _) => {
+            Err(Failure::file(&input.name, "has no sectors; expected a map, FILE.wad:MAP01"))
+        }
+        (Asked::Splits | Asked::StabTree { .. } | Asked::Eye { .. }, Planar::Graph(_)) => {
+            let message = "states cells without a shape, and this picture needs a floorplan";
             Err(Failure::file(&input.name, message))
         }
     }

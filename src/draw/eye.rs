@@ -20,7 +20,7 @@ pub struct EyeDrawing {
     /// What is seen exactly: convex polygons, in grid units.
     pub regions: Vec<Vec<PlanPoint>>,
     /// What the cull is called.
-    pub cull: String,
+    pub cull: &'static str,
 }
 
 /// Draws an eye and its cone, the cells that the cull leaves in blue, those that it removes in
@@ -45,26 +45,31 @@ pub fn draw_eye(mut sheet: Sheet, floor: &Floor, eye: &PlanPoint, drawing: &EyeD
     sheet.svg.group(&style, |svg| svg.outlines(regions.iter().map(Vec::as_slice)));
     floor.draw_faces(&mut sheet);
     let place = sheet.frame.place_point(eye);
-    let rays: Vec<[Place; 2]> = drawing
-        .cone
-        .iter()
-        .flatten()
-        .filter_map(|along| {
-            let ray = sheet.frame.ray_along(eye, along)?;
-            let [[x0, y0], [x1, y1]] = sheet.drawing();
-            let [_, leave] = ray.within(&[[x0, y0], [x1, y0], [x1, y1], [x0, y1]])?;
-            Some([place, ray.at(leave.max(0.0))])
-        })
-        .collect();
+    let rays = rays(&sheet, eye, drawing.cone.as_ref());
     sheet.draw_segments(Pen::dashed(palette::EYE, sizes.line), &rays, "view cone");
-    let sheet_width = sheet.width();
+    let radius = (3.0 * sizes.line).max(sheet.width() / 200.0);
     let ring = number(1.2 * sizes.line);
     let style = [("fill", palette::EYE), ("stroke", palette::CELL), ("stroke-width", &ring)];
-    sheet.svg.group(&style, |svg| svg.circle(place, (3.0 * sizes.line).max(sheet_width / 200.0)));
+    sheet.svg.group(&style, |svg| svg.circle(place, radius));
     sheet.explain(Sample::Dot(palette::EYE), "eye");
     sheet.explain(Sample::Area(palette::SEEN), "visible area");
     let text = format!("{left} cells left ({})", drawing.cull);
     sheet.explain(Sample::Area(palette::VISIBLE_NOW), text);
-    sheet.explain(Sample::Area(palette::CULLED), format!("{culled} cells culled"));
+    if culled > 0 {
+        sheet.explain(Sample::Area(palette::CULLED), format!("{culled} cells culled"));
+    }
     sheet.finish()
+}
+
+/// The rays of a view cone, to the edge of the drawing.
+fn rays(sheet: &Sheet, eye: &PlanPoint, cone: Option<&[[Rational; 2]; 2]>) -> Vec<[Place; 2]> {
+    let [[x0, y0], [x1, y1]] = sheet.drawing();
+    let paper = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
+    let sides = cone.into_iter().flatten();
+    let rays = sides.filter_map(|along| {
+        let ray = sheet.frame.ray_along(eye, along)?;
+        let [_, leave] = ray.within(&paper)?;
+        Some([ray.from, ray.at(leave.max(0.0))])
+    });
+    rays.collect()
 }

@@ -20,6 +20,8 @@ pub struct Floor {
     pub faces: Vec<[Place; 2]>,
     /// Segments that split cells and hide nothing.
     pub hints: Vec<[Place; 2]>,
+    /// What the legend calls them.
+    pub hint_name: &'static str,
     /// The names of the cells.
     pub names: Vec<String>,
     /// The cells' corners.
@@ -100,6 +102,7 @@ impl Floor {
         Floor {
             faces: Vec::new(),
             hints: Vec::new(),
+            hint_name: "hint",
             names: graph.cells.clone(),
             outlines,
             middles,
@@ -118,7 +121,7 @@ impl Floor {
         let unit = (typical / 40.0).clamp(width / 900.0, width / 270.0);
         Sizes {
             face: unit,
-            line: (0.6 * unit).max(width / 1600.0),
+            line: (0.6 * unit).max(width / 1000.0),
             hair: (0.3 * unit).max(width / 2400.0),
             node: (typical / 14.0).clamp(width / 600.0, width / 60.0),
             font: (typical / 7.0).clamp(0.0, sheet.font()),
@@ -165,7 +168,7 @@ impl Floor {
     /// The faces, over whatever is there.
     pub fn draw_faces(&self, sheet: &mut Sheet) {
         let sizes = self.sizes(sheet);
-        sheet.draw_segments(Pen::dashed(palette::EDGE, sizes.line), &self.hints, "hint");
+        sheet.draw_segments(Pen::round(palette::HINT, sizes.line), &self.hints, self.hint_name);
         sheet.draw_segments(Pen::round(palette::WALL, sizes.face), &self.faces, "face");
     }
 

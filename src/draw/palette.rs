@@ -19,6 +19,8 @@ pub const CELL: &str = "#ffffff";
 pub const OUTSIDE: &str = "#e4e4e4";
 /// Edges of cells where neither a face nor a portal is: thin and light.
 pub const EDGE: &str = "#b0b0b0";
+/// Segments that hide nothing. L* 62.
+pub const HINT: &str = "#969696";
 /// Portals. L* 52.
 pub const PORTAL: &str = "#d55e00";
 /// Splits, under the faces on them. L* 76.

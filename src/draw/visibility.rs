@@ -33,7 +33,8 @@ pub fn draw_visibility(
     let sizes = floor.sizes(&sheet);
     floor.draw_faces(&mut sheet);
     if floor.outlines.iter().any(Vec::is_empty) {
-        floor.draw_portals(&mut sheet);
+        let pen = Pen::round(palette::GRAPH, sizes.line);
+        sheet.draw_segments(pen, &floor.portals, "portal");
     }
     let drawn: Vec<(&Sightline, [Place; 2])> =
         lines.iter().filter_map(|line| Some((line, between(&sheet, floor, line)?))).collect();

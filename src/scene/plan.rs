@@ -12,7 +12,7 @@ mod stated;
 
 pub use doom::{AreaClaim, DoomOddity, DoomPlan, LineSides, plan_of_map};
 pub use generate::{FloorplanOptions, generate_floorplan};
-pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal};
+pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal, PlanStabNode};
 pub use read::{PlanInput, read_plan};
 pub use stated::{
     Plan, PlanError, PlanErrorKind, PlanObject, PlanRepairs, PlanSegment, RawPlan, RawSegment,

@@ -23,10 +23,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
-    (
-        "draw",
-        &["num", "geom", "predicates", "stab", "scene", "subdivision", "portal", "pvs", "eye"],
-    ),
+    ("draw", &["num", "predicates", "scene", "subdivision", "portal"]),
     ("oracle", &["num", "geom"]),
     (
         "cli",

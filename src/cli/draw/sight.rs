@@ -4,16 +4,18 @@ use super::super::exit::Failure;
 use super::super::numbers::numbers;
 use super::super::plan::Planar;
 use super::super::pvs::plan::{Wants, sights};
-use super::{Args, Cull};
-use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline};
-use crate::eye::plan::{CellSight, EyePlan, ViewCone};
+use super::Args;
+use super::asked::Cull;
+use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline, TreeNode};
+use crate::eye::plan::{CellSight, EyePlan, TreeVertex, ViewCone};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
 use crate::predicates::PlanPoint;
-use crate::pvs::plan::{Groups, plan_matrix};
+use crate::pvs::plan::{PlanStabNode, PlanStabTree, plan_stab_trees};
 use crate::report::{Silent, Verdict, WitnessLine};
 use crate::scene::CellId;
 use crate::scene::plan::{Plan, PlanGraph};
+use std::iter;
 
 /// Draws a cell, the cells that it sees, and a line to each.
 pub(super) fn draw_visibility(
@@ -46,6 +48,7 @@ fn on_grid(graph: &PlanGraph, line: &WitnessLine) -> [[Rational; 2]; 2] {
 }
 
 /// An eye as the options state it.
+#[derive(Debug)]
 pub(super) struct Eye {
     at: [Rational; 2],
     cone: Option<ViewCone>,
@@ -80,28 +83,40 @@ pub(super) fn draw_eye(
     let point = PlanPoint::from_coordinates(&eye.at.each_ref().map(|c| c * &grid));
     let prepared = EyePlan::new(plan, cells);
     let place = prepared.place(point).map_err(|error| Failure::file(file, error))?;
-    let visible = seen_by(cells, place.cell()).ok_or(Failure::Interrupted)?;
+    let tree = stab_tree(&cells.graph, place.cell())?;
     let view = prepared.view(&place, eye.cone.as_ref());
-    let left = view.cull(cull.method(), CellSight::Cells(&visible));
+    let vertex = |node: &PlanStabNode| {
+        let &PlanStabNode { parent, portal, cell } = node;
+        TreeVertex { parent, portal, cell }
+    };
+    let vertices: Vec<TreeVertex> = tree.nodes.iter().map(vertex).collect();
+    let left = view.cull(cull.method(), CellSight::Tree(&vertices));
     let regions = view.regions(&view.sequences());
     let drawing = EyeDrawing {
         cone: eye
             .cone
             .as_ref()
             .map(|cone| cone.sides().clone().map(|side| side.map(Rational::from))),
-        visible,
+        visible: tree.cells(),
         left,
         regions: regions.into_iter().map(|region| region.polygon).collect(),
-        cull: cull.name(),
+        cull: cull.method().name(),
     };
     Ok(draw::draw_eye(sheet, floor, place.eye(), &drawing))
 }
 
-/// The cells that a cell sees, itself included.
-fn seen_by(cells: &PlanCells, from: CellId) -> Option<Vec<CellId>> {
-    let count = cells.graph.cells.len();
-    let crossings = cells.graph.crossings();
-    let matrix = plan_matrix(&cells.graph, &crossings, &Groups::cells(count), &Silent)?;
-    let sees = |cell: &CellId| matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
-    Some((0..count as u32).map(CellId).filter(sees).collect())
+/// The stab tree of a cell.
+pub(super) fn stab_tree(graph: &PlanGraph, from: CellId) -> Result<PlanStabTree, Failure> {
+    let trees = plan_stab_trees(graph, &graph.crossings(), &[from], false, &Silent);
+    trees.and_then(|mut trees| trees.pop()).ok_or(Failure::Interrupted)
+}
+
+/// The nodes of a stab tree as they are drawn: its root comes first.
+pub(super) fn nodes(tree: &PlanStabTree) -> Vec<TreeNode> {
+    let root = TreeNode { cell: tree.source, before: None };
+    let node = |node: &PlanStabNode| {
+        let parent = node.parent.map_or(0, |parent| parent + 1);
+        TreeNode { cell: node.cell, before: Some((parent, node.portal)) }
+    };
+    iter::once(root).chain(tree.nodes.iter().map(node)).collect()
 }
