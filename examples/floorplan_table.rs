@@ -8,7 +8,7 @@
 
 use memory_stats::memory_stats;
 use num_traits::ToPrimitive;
-use stabline::eye::plan::{CellSight, EyePlan, PlanCull, TreeVertex, ViewCone};
+use stabline::eye::plan::{CellSight, EyePlan, PlanCull, ViewCone};
 use stabline::num::{Int, Random, Rational};
 use stabline::portal::plan::cells_of_plan;
 use stabline::predicates::PlanPoint;
@@ -97,7 +97,6 @@ fn ask(
     let whole = float(eyes.whole_area());
     let area: Vec<f64> =
         (0..trees.len() as u32).map(|cell| float(eyes.area_of_cells([CellId(cell)]))).collect();
-    let trees: Vec<Vec<TreeVertex>> = trees.iter().map(vertices).collect();
     let random = &mut Random::new(seed ^ 0x6579_6573);
     let mut sums = [[0.0; 2]; 6];
     for _ in 0..queries {
@@ -107,7 +106,7 @@ fn ask(
                 break place;
             }
         };
-        let tree = CellSight::Tree(&trees[place.cell().0 as usize]);
+        let tree = CellSight::Tree(&trees[place.cell().0 as usize].nodes);
         for (i, cone) in [None, Some(cone(random))].into_iter().enumerate() {
             let view = eyes.view(&place, cone.as_ref());
             for (row, cull) in PlanCull::ALL.into_iter().enumerate() {
@@ -119,13 +118,6 @@ fn ask(
         }
     }
     sums.map(|row| row.map(|sum| 100.0 * sum / queries as f64))
-}
-
-fn vertices(tree: &PlanStabTree) -> Vec<TreeVertex> {
-    let nodes = tree.nodes.iter();
-    nodes
-        .map(|node| TreeVertex { parent: node.parent, portal: node.portal, cell: node.cell })
-        .collect()
 }
 
 /// A point of the box.
