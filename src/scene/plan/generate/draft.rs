@@ -49,9 +49,9 @@ struct Room {
 /// The least width of a room.
 const LEAST: i64 = 14;
 /// One wall between rooms in so many has its door in the middle.
-const MIDDLE: i64 = 4;
-/// One room in so many of those larger than a block's half stays as it is.
-const GREAT: i64 = 5;
+const MIDDLE: i64 = 8;
+/// One room in so many of those with a larger area than this stays as it is, as a great hall.
+const GREAT: i64 = 12;
 const GREAT_AREA: i64 = 16_000;
 /// How often a place for a wall is drawn before a room stays undivided.
 const DRAWS: usize = 12;
@@ -99,7 +99,7 @@ impl Draft {
                 strips.push([start, length]);
                 break;
             }
-            let jitter = self.random.between(-strip / 8, strip / 8);
+            let jitter = self.random.between(-strip / 4, strip / 4);
             let width = self.within(way);
             strips.push([start, end + jitter - width / 2]);
             start = end + jitter - width / 2 + width;
