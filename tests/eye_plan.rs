@@ -5,18 +5,19 @@ mod support;
 use num_traits::{One, Zero};
 use stabline::eye::FrustumError;
 use stabline::eye::plan::{
-    CellSight, EyePlan, PlanCull, PlanPlaceError, PlanWay, TreeVertex, ViewCone, Walk, prefetch,
+    CellSight, EyePlan, PlanCull, PlanPlaceError, PlanWay, ViewCone, Walk, prefetch,
 };
 use stabline::geom::BigPoint2;
 use stabline::num::{Int, Rational};
 use stabline::oracle::Random;
 use stabline::portal::plan::PlanCells;
 use stabline::predicates::PlanPoint;
-use stabline::pvs::plan::{Groups, plan_matrix};
+use stabline::pvs::plan::{Groups, plan_matrix, plan_stab_trees};
 use stabline::report::{Silent, Verdict};
 use stabline::scene::CellId;
-use stabline::scene::plan::{Crossings, Plan};
+use stabline::scene::plan::{Crossings, Plan, PlanStabNode};
 use stabline::stab::hourglass::Hourglass;
+use stabline::subdivision::plan::PlanMethod;
 use std::collections::BTreeSet;
 use support::plans::{self, Kind, Point, ratio};
 
@@ -31,14 +32,14 @@ fn sights(cells: &PlanCells) -> Vec<Vec<CellId>> {
 }
 
 /// The stab tree of a cell, by a search without any prune.
-fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<TreeVertex> {
+fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<PlanStabNode> {
     struct Search<'a> {
         cells: &'a PlanCells,
         crossings: &'a Crossings,
         common: Int,
         hourglass: Hourglass,
         path: Vec<CellId>,
-        tree: Vec<TreeVertex>,
+        tree: Vec<PlanStabNode>,
     }
     impl Search<'_> {
         fn end(&self, point: u32) -> BigPoint2 {
@@ -55,7 +56,7 @@ fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<Tr
                 }
                 self.hourglass.push_big(self.end(way.left), self.end(way.right));
                 if self.hourglass.is_open() {
-                    let vertex = TreeVertex { parent, portal: way.portal, cell: way.to };
+                    let vertex = PlanStabNode { parent, portal: way.portal, cell: way.to };
                     self.tree.push(vertex);
                     self.visit(way.to, Some(self.tree.len() as u32 - 1));
                 }
@@ -66,7 +67,7 @@ fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<Tr
     }
     let points = &cells.graph.points;
     let denominators = (0..points.len() as u32).map(|point| points.get(point).numbers()[2].clone());
-    let common = denominators.fold(Int::one(), |common, w| num_integer::lcm(common, w));
+    let common = denominators.fold(Int::one(), num_integer::lcm);
     let (hourglass, path, tree) = (Hourglass::new(), Vec::new(), Vec::new());
     let mut search = Search { cells, crossings, common, hourglass, path, tree };
     search.visit(source, None);
@@ -74,7 +75,7 @@ fn stab_tree(cells: &PlanCells, crossings: &Crossings, source: CellId) -> Vec<Tr
 }
 
 /// The portals of every vertex's sequence.
-fn paths(tree: &[TreeVertex]) -> BTreeSet<Vec<u32>> {
+fn paths(tree: &[PlanStabNode]) -> BTreeSet<Vec<u32>> {
     let mut paths: Vec<Vec<u32>> = Vec::new();
     for vertex in tree {
         let before = vertex.parent.map(|parent| paths[parent as usize].clone());
@@ -111,6 +112,13 @@ fn each_cull_leaves_what_the_next_one_does() {
                 let Ok(place) = eyes.place(grid_point(&plan, &eye)) else { continue };
                 let case = format!("{kind:?} {seed} from {} {}", eye[0], eye[1]);
                 let tree = stab_tree(&cells, &crossings, place.cell());
+                let [search] =
+                    &plan_stab_trees(&cells.graph, &crossings, &[place.cell()], false, &Silent)
+                        .unwrap()[..]
+                else {
+                    unreachable!("one tree for one cell")
+                };
+                assert_eq!(search.nodes, tree, "{case}");
                 let by_set = CellSight::Cells(&sights[place.cell().0 as usize]);
                 let by_tree = CellSight::Tree(&tree);
                 let around = eyes.view(&place, None);
@@ -230,7 +238,8 @@ fn prefetch_sets_are_what_neighbours_see_and_the_cell_does_not() {
 fn room(walls: &[[[i64; 2]; 2]]) -> (Plan, PlanCells) {
     let walls: Vec<[Point; 2]> =
         walls.iter().map(|ends| ends.map(|end| end.map(|c| ratio(c, 1)))).collect();
-    plans::divided(&walls, Some([[0, 0], [10, 10]].map(|corner| corner.map(|c| ratio(c, 1)))))
+    let view = [[0, 0], [10, 10]].map(|corner| corner.map(|c| ratio(c, 1)));
+    plans::divided(&walls, Some(view), &PlanMethod::Bsp)
 }
 
 fn area(eyes: &EyePlan, eye: PlanPoint, cone: Option<&ViewCone>) -> Rational {

@@ -10,11 +10,11 @@ const QUERIES: &[(&str, &[&str])] = &[
         "corridor_between_rooms",
         &[
             "--at 1,4 --region",
-            "--at 1,4 --look 1,0 --half-tangent 1/3 --cull none",
-            "--at 1,4 --look 1,0 --half-tangent 1/3 --cull disjoint",
-            "--at 1,4 --look 1,0 --half-tangent 1/3 --cull component",
-            "--at 1,4 --look 1,0 --half-tangent 1/3 --cull portals",
-            "--at 1,4 --look 1,0 --half-tangent 1/3 --regions",
+            "--at 17/2,2 --look -1,2 --half-tangent 1/3 --cull none",
+            "--at 17/2,2 --look -1,2 --half-tangent 1/3 --cull disjoint",
+            "--at 17/2,2 --look -1,2 --half-tangent 1/3 --cull component",
+            "--at 17/2,2 --look -1,2 --half-tangent 1/3 --cull portals",
+            "--at 17/2,2 --look -1,2 --half-tangent 1/3 --regions",
             // In a door, with its back to one room.
             "--at 5/2,5 --look 0,-1 --fov 60",
             "--at 17/2,3",
@@ -34,7 +34,7 @@ const QUERIES: &[(&str, &[&str])] = &[
 ];
 
 /// The arguments of a query, in which `^` is a space within one.
-fn arguments<'a>(scene: &'a str, query: &str) -> Vec<String> {
+fn arguments(scene: &str, query: &str) -> Vec<String> {
     let options = query.split(' ').map(|part| part.replace('^', " "));
     ["eye".to_owned(), scene.to_owned()].into_iter().chain(options).collect()
 }
@@ -115,8 +115,13 @@ fn bad_queries_are_refused() {
     assert_fails(&run(space, "--path 1,4"), 2, "--path is for floorplans");
     assert_fails(&run(space, "--at 1,4"), 2, "--at: expected 3 numbers between commas, got 2");
     assert_fails(&run(space, "--at 1,1,1 --cull none"), 2, "are for floorplans");
-    let graph = "scenes/plan/two_rooms_offset_doors.json";
-    assert_fails(&run(graph, "--at 1,1"), 3, "a graph of the plane does not say");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("graph.json");
+    let graph = r#"{"about": "two cells", "format": "stabline-scene/1", "cells": ["a", "b"],
+        "portals": [{"from": "a", "to": "b", "segment": [[0, 1], [0, 0]]}]}"#;
+    std::fs::write(&path, graph).unwrap();
+    let output = run(path.to_str().unwrap(), "--at 1,1");
+    assert_fails(&output, 3, "a graph of the plane does not say where its cells end");
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! `stabline bsp`: geometry divided into cells and portals.
 
+mod plan;
 mod show;
 
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use super::numbers::point;
+use super::plan::PlanArgs;
 use super::progress::{ProgressArgs, Stopwatch};
 use super::world::{self, WorldArgs};
 use crate::formats::prt::{self, PrtWriteError};
@@ -19,8 +21,8 @@ use std::path::{Path, PathBuf};
 
 /// Divide the space around geometry into convex cells and the portals between them
 ///
-/// INPUT is a level's source (`.map`), a JSON scene with geometry, or polygons (`.obj`, `.gltf`,
-/// `.glb`). A world that leaks ends with code 3; `--pts` keeps the way out.
+/// INPUT is a level's source (`.map`), a JSON scene with geometry, polygons (`.obj`, `.gltf`,
+/// `.glb`), a floorplan in JSON, or a Doom level (`FILE.wad:MAP01`). A world that leaks ends with code 3; `--pts` keeps the way out.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The geometry
@@ -32,7 +34,8 @@ pub(super) struct Args {
     /// decimal or a longer one; the largest displacement is printed
     #[arg(long, value_name = "DECIMALS", requires = "prt", value_parser = clap::value_parser!(u32).range(0..=18))]
     snap: Option<u32>,
-    /// Write the cells as polyhedra, and the portals (`stabline-cells/1`)
+    /// Write the cells as polyhedra, and the portals (`stabline-cells/1`; of a floorplan as polygons,
+    /// `stabline-plan/1`)
     #[arg(long, value_name = "OUT.json")]
     cells: Option<PathBuf>,
     /// Where the level leaks, write the way from an entity to the outside as a line of points
@@ -50,7 +53,9 @@ pub(super) struct Args {
     stats: bool,
     #[command(flatten)]
     world: WorldArgs,
-    /// Print JSON (`stabline-bsp/1`)
+    #[command(flatten)]
+    plan: PlanArgs,
+    /// Print JSON (`stabline-bsp/1`; of a floorplan `stabline-plan/1`)
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -66,6 +71,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     files::check_outputs([&args.pts])?;
     let writes_to_stdout = files::check_outputs([&args.prt, &args.cells])?;
     let input = Input::read(&args.input)?;
+    if super::plan::is_plan(&input) {
+        return plan::run(&args, &input, writes_to_stdout);
+    }
     let stopwatch = Stopwatch::new(args.progress.reporter());
     stopwatch.begin("read", 0);
     let (world, warnings) = world::read_all(&input, &args.world)?;

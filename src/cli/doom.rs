@@ -39,7 +39,7 @@ impl DoomLevel {
 
     /// The oddities of each kind.
     fn kinds(&self) -> impl Iterator<Item = &[DoomOddity]> {
-        self.areas.oddities.chunk_by(|one, other| one.rule() == other.rule())
+        self.areas.oddities.chunk_by(|one, other| one.kind() == other.kind())
     }
 
     /// The oddities in JSON: for each kind its rule, and each with its linedefs and sectors.
@@ -50,7 +50,8 @@ impl DoomLevel {
                 serde_json::json!({"text": oddity.to_string(), "lines": lines, "sectors": sectors})
             };
             let all: Vec<serde_json::Value> = kind.iter().map(each).collect();
-            serde_json::json!({"rule": kind[0].rule(), "count": kind.len(), "all": all})
+            let (name, rule) = (kind[0].kind(), kind[0].rule());
+            serde_json::json!({"kind": name, "rule": rule, "count": kind.len(), "all": all})
         };
         self.kinds().map(kind).collect()
     }

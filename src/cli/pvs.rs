@@ -11,9 +11,9 @@ use super::files::{self, Input};
 use super::plan::PlanArgs;
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
 use super::world::{self, WorldArgs};
-use crate::pvs::{self, Finished, Options, PartHeader, Shard, StabTree};
+use crate::pvs::{self, Finished, Options, PartHeader, Shard};
 use crate::report::{InputId, ObjectsReport, PvsReport};
-use crate::scene::{CellId, PortalGraph};
+use crate::scene::PortalGraph;
 use keep::Keeper;
 use std::path::PathBuf;
 
@@ -171,10 +171,10 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         files::write(Some(output), |out| objects.write(out))?;
     }
     if let Some(output) = &args.stab_tree {
-        let Some(trees) = stab_trees(&args, &graph)? else {
+        let Some(trees) = tree::of_graph(&args, &graph)? else {
             return keeper.interrupted(&args, &part_header(&args, &input), &finished);
         };
-        files::write(Some(output), |out| tree::write(out, &report.input, &trees))?;
+        files::write(Some(output), |out| trees.write(out, &report.input))?;
         clock.lap("stab trees");
     }
     if let Some(npy) = &args.npy {
@@ -246,19 +246,6 @@ fn classify_grazing(
     report.grazing_classified = true;
     let matrix = &mut report.matrix;
     on_threads(args, |watch| pvs::classify_grazing(graph, matrix, args.budget, watch))
-}
-
-/// `None` if interrupted.
-fn stab_trees(args: &Args, graph: &PortalGraph) -> Result<Option<Vec<StabTree>>, Failure> {
-    let cells = graph.cells.len() as u32;
-    if let Some(cell) = args.from.iter().find(|&&cell| cell >= cells) {
-        return Err(Failure::usage(format!("--from {cell}: expected a cell below {cells}")));
-    }
-    let sources: Vec<CellId> = match args.from.is_empty() {
-        true => (0..cells).map(CellId).collect(),
-        false => args.from.iter().copied().map(CellId).collect(),
-    };
-    on_threads(args, |watch| pvs::stab_trees(graph, &sources, watch))
 }
 
 fn report(args: &Args, graph: &PortalGraph, header: PartHeader, finished: &Finished) -> PvsReport {

@@ -9,7 +9,7 @@ use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::report::{
     BodyReport, BodyTreeReport, BspReport, CellsReport, EyePlanReport, EyeReport, MoveReport,
-    ObjectsReport, PvsReport, StabReport, TransversalsReport,
+    ObjectsReport, PlanReport, PvsReport, StabReport, TransversalsReport,
 };
 use serde_json::Value;
 
@@ -39,6 +39,7 @@ const SCHEMAS: &[Format] = &[
     ("stabline-lines/1", LinesFile::schema),
     (MoveReport::FORMAT, MoveReport::schema),
     ("stabline-objects/1", ObjectsReport::schema),
+    (PlanReport::FORMAT, PlanReport::schema),
     ("stabline-pvs/1", PvsReport::schema),
     ("stabline-scene/1", SceneKind::schema),
     ("stabline-sequence/1", SequenceFile::schema),

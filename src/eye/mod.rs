@@ -24,6 +24,8 @@
 //! **Order.** Where cells are not exactly convex, crossing two consecutive portals in their order
 //! is one more linear condition on the direction (semantics, fact 4), and clips the cone.
 //!
+//! Of a floorplan [`plan`] answers the same questions in the plane, with areas.
+//!
 //! Complexity: for s sequences visited, of k portals and n edges on average, O(s·n·k) signs.
 
 mod cone;

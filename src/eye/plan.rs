@@ -24,12 +24,13 @@ mod search;
 mod walk;
 
 pub use cone::ViewCone;
-pub use cull::{CellSight, PlanCull, TreeVertex};
+pub use cull::{CellSight, PlanCull};
 pub use place::{PlanPlace, PlanPlaceError};
 pub use region::PlanRegion;
 pub use search::{PlanSeen, PlanSequences, PlanView};
 pub use walk::{PlanStep, PlanWay, Prefetch, Walk, prefetch};
 
+use crate::num::Rational;
 use crate::portal::plan::PlanCells;
 use crate::predicates::PlanPoint;
 use crate::scene::CellId;
@@ -58,6 +59,12 @@ impl<'p> EyePlan<'p> {
     /// The plan as it looks from a place, all around or in a cone.
     pub fn view<'a>(&'a self, place: &'a PlanPlace, cone: Option<&ViewCone>) -> PlanView<'a> {
         PlanView::new(self, place, cone)
+    }
+
+    /// A point of the plan in grid units, given in world units.
+    pub fn grid_point(&self, point: &[Rational; 2]) -> PlanPoint {
+        let grid = &self.cells.graph.grid;
+        PlanPoint::from_coordinates(&point.each_ref().map(|c| c * grid))
     }
 
     fn point(&self, number: u32) -> &PlanPoint {

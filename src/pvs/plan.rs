@@ -22,6 +22,7 @@ mod grazing;
 mod groups;
 mod line;
 mod object;
+mod propose;
 mod stab_tree;
 mod sweep;
 #[cfg(test)]
@@ -33,7 +34,7 @@ pub use cover::Cover;
 pub use grazing::classify_plan_grazing;
 pub use groups::Groups;
 pub use object::{PlanObjectSight, PlanObjectSights, plan_object_sights};
-pub use stab_tree::{PlanStabNode, PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};
+pub use stab_tree::{PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};
 pub use sweep::{PlanSight, plan_matrix, plan_sights};
 
 /// Portals as they are crossed, one after the other.

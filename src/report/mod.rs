@@ -7,6 +7,7 @@ mod eye_plan;
 mod matrix;
 mod motion;
 mod objects;
+mod plan;
 mod progress;
 mod pvs;
 mod stab;
@@ -24,6 +25,7 @@ pub use eye_plan::{
 pub use matrix::{Counts, Matrix, Verdict};
 pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
 pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
+pub use plan::{PlanCell, PlanCellPortal, PlanCrossing, PlanPosition, PlanReport};
 pub use progress::{Progress, Silent};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
 pub use stab::StabReport;

@@ -64,9 +64,15 @@ pub struct ObjectEntry {
     /// The line of the input that states it, counted from 1; null where that is not known.
     line: Option<usize>,
     /// The corner of its box with the least coordinates, in world units.
-    low: [Ratio; 3],
+    #[schemars(with = "Point")]
+    low: Vec<Ratio>,
     /// The corner of its box with the greatest coordinates.
-    high: [Ratio; 3],
+    #[schemars(with = "Point")]
+    high: Vec<Ratio>,
+    /// In the plane, where an object is a convex polygon: its corners, counter-clockwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Vec<[Ratio; 2]>", default)]
+    polygon: Option<Vec<[Ratio; 2]>>,
     /// The cells that a part of it is in, ascending; none for an object in solids or outside.
     cells: Vec<u32>,
 }
@@ -96,7 +102,30 @@ pub struct ObjectWitness {
     /// The portals that it crosses, in this order: indices into the portals between the cells.
     pub portals: Vec<u32>,
     /// Two distinct points of it, in its direction: ratios in lowest terms.
-    line: [[Ratio; 3]; 2],
+    #[schemars(with = "Line")]
+    line: [Vec<Ratio>; 2],
+}
+
+/// A point of space or of the plane.
+#[derive(JsonSchema)]
+#[schemars(untagged, inline)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum Point {
+    /// In space.
+    Space([Ratio; 3]),
+    /// In the plane, for floorplans.
+    Plane([Ratio; 2]),
+}
+
+/// Two points.
+#[derive(JsonSchema)]
+#[schemars(untagged, inline)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum Line {
+    /// In space.
+    Space([[Ratio; 3]; 2]),
+    /// In the plane, for floorplans.
+    Plane([[Ratio; 2]; 2]),
 }
 
 /// An integer `p` or a ratio `p/q` in lowest terms, q > 1.
@@ -104,24 +133,47 @@ pub struct ObjectWitness {
 #[schemars(inline)]
 struct Ratio(#[schemars(regex(pattern = "^-?[0-9]+(/[1-9][0-9]*)?$"))] String);
 
+/// The coordinates of a point as they are written.
+fn ratios<T: ToString>(point: &[T]) -> Vec<Ratio> {
+    point.iter().map(|c| Ratio(c.to_string())).collect()
+}
+
 impl ObjectEntry {
     /// The object of a name, a line and a box, with the cells that it is in.
     pub fn new(name: &str, line: Option<usize>, bounds: &AxialBox, cells: Vec<u32>) -> ObjectEntry {
-        let corner = |at: &[Rational; 3]| at.each_ref().map(|c| Ratio(c.to_string()));
-        let (low, high) = (corner(&bounds.low), corner(&bounds.high));
-        ObjectEntry { name: name.to_owned(), line, low, high, cells }
+        let (low, high) = (ratios(&bounds.low), ratios(&bounds.high));
+        ObjectEntry { name: name.to_owned(), line, low, high, polygon: None, cells }
+    }
+
+    /// The object of a name and a convex polygon of the plane, in world units, with the cells that
+    /// it is in.
+    pub fn of_plan(name: &str, polygon: &[[Rational; 2]], cells: Vec<u32>) -> ObjectEntry {
+        let along = |axis: usize| polygon.iter().map(move |corner| &corner[axis]);
+        let low =
+            [0, 1].map(|axis| along(axis).min().map_or_else(String::new, Rational::to_string));
+        let high =
+            [0, 1].map(|axis| along(axis).max().map_or_else(String::new, Rational::to_string));
+        let corner = |corner: &[Rational; 2]| corner.each_ref().map(|c| Ratio(c.to_string()));
+        ObjectEntry {
+            name: name.to_owned(),
+            line: None,
+            low: ratios(&low),
+            high: ratios(&high),
+            polygon: Some(polygon.iter().map(corner).collect()),
+            cells,
+        }
     }
 }
 
 impl ObjectWitness {
-    /// The witness of a pair.
-    pub fn new(
+    /// The witness of a pair, by two points of space or of the plane.
+    pub fn new<const AXES: usize>(
         object: u32,
         cell: u32,
         portals: Vec<u32>,
-        line: &[[Number; 3]; 2],
+        line: &[[Number; AXES]; 2],
     ) -> ObjectWitness {
-        let line = line.each_ref().map(|point| point.each_ref().map(|c| Ratio(c.to_string())));
+        let line = line.each_ref().map(|point| ratios(point));
         ObjectWitness { object, cell, portals, line }
     }
 }

@@ -10,7 +10,7 @@ mod read;
 mod stated;
 
 pub use doom::{AreaClaim, DoomOddity, DoomPlan, LineSides, plan_of_map};
-pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal};
+pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal, PlanStabNode};
 pub use read::{PlanInput, read_plan};
 pub use stated::{
     Plan, PlanError, PlanErrorKind, PlanObject, PlanRepairs, PlanSegment, RawPlan, RawSegment,

@@ -175,4 +175,6 @@ fn is_left(end: u32) -> bool {
 }
 
 #[cfg(test)]
+mod chain_tests;
+#[cfg(test)]
 mod tests;

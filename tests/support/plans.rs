@@ -90,11 +90,19 @@ pub fn plan(kind: Kind, walls: &[[Point; 2]], random: &mut Random) -> Option<(Pl
         2 => Some([corner(-1), corner(14)]),
         _ => Some([corner(2), corner(11)]),
     };
-    (!walls.is_empty()).then(|| divided(walls, view))
+    let method = match kind {
+        Kind::Axial if random.one_in(2) => PlanMethod::Kd { threshold: ratio(0, 1) },
+        _ => PlanMethod::Bsp,
+    };
+    (!walls.is_empty()).then(|| divided(walls, view, &method))
 }
 
 /// A plan of these walls, with its cells.
-pub fn divided(walls: &[[Point; 2]], view: Option<[Point; 2]>) -> (Plan, PlanCells) {
+pub fn divided(
+    walls: &[[Point; 2]],
+    view: Option<[Point; 2]>,
+    method: &PlanMethod,
+) -> (Plan, PlanCells) {
     let number = |point: &Point| point.clone().map(Number::from);
     let opaque =
         |ends: &[Point; 2]| RawSegment { ends: ends.each_ref().map(number), is_opaque: true };
@@ -104,7 +112,7 @@ pub fn divided(walls: &[[Point; 2]], view: Option<[Point; 2]>) -> (Plan, PlanCel
         ..RawPlan::default()
     };
     let plan = Plan::from_raw(&raw).unwrap();
-    let tree = divide(&plan, &PlanMethod::default(), &Silent).unwrap();
+    let tree = divide(&plan, method, &Silent).unwrap();
     let cells = cells_of_plan(&plan, tree, false).unwrap();
     (plan, cells)
 }

@@ -6,13 +6,12 @@ use super::super::numbers::numbers;
 use super::super::plan::{self, Planar};
 use super::{Args, Method};
 use crate::eye::half_tangent;
-use crate::eye::plan::{CellSight, EyePlan, PlanCull, ViewCone, Walk};
+use crate::eye::plan::{CellSight, EyePlan, PlanCull, PlanPlaceError, ViewCone, Walk};
 use crate::num::Rational;
-use crate::predicates::PlanPoint;
-use crate::pvs::plan::{Groups, plan_matrix};
-use crate::report::{EyePlanReport, InputId, Silent, Verdict};
+use crate::pvs::plan::plan_stab_trees;
+use crate::report::{EyePlanReport, InputId, Silent};
 use crate::scene::CellId;
-use crate::scene::plan::PlanGraph;
+use crate::scene::plan::{Crossings, PlanGraph, PlanStabNode};
 
 pub(super) fn run(args: &Args, input: &Input) -> Result<Exit, Failure> {
     refuse_space(args)?;
@@ -22,38 +21,46 @@ pub(super) fn run(args: &Args, input: &Input) -> Result<Exit, Failure> {
     if args.regions && cull != PlanCull::Exact {
         return Err(Failure::usage("--regions needs the exact cull"));
     }
-    let Planar::Divided { plan, cells, .. } = plan::read(input, &args.plan, &Silent)? else {
-        return Err(Failure::file(
-            &input.name,
-            "a graph of the plane does not say where its cells \
-             end: an eye needs a floorplan",
-        ));
+    let Planar::Divided { plan, cells, level } = plan::read(input, &args.plan, &Silent)? else {
+        let what =
+            "a graph of the plane does not say where its cells end: an eye needs a floorplan";
+        return Err(Failure::file(&input.name, what));
     };
     let eyes = EyePlan::new(&plan, &cells);
-    let mut walk = Walk::new(&eyes, |_| ());
-    let sights = match cull {
-        PlanCull::Exact => None,
-        _ => Some(Sights::of(&cells.graph)?),
-    };
     let id = InputId::new(&input.file_name(), &input.bytes);
     let area = (&eyes.whole_area()).into();
-    let lens = cone.as_ref().map(ViewCone::report);
-    let mut report = EyePlanReport::new(id, cull.name(), lens, area);
-    let grid = Rational::from(plan.grid.clone());
+    let mut report = EyePlanReport::new(id, cull.name(), cone.as_ref().map(ViewCone::report), area);
+    let crossings = cells.graph.crossings();
+    // The exact cull does not need the tree.
+    let mut walk = Walk::new(&eyes, |cell| match cull {
+        PlanCull::Exact => Vec::new(),
+        _ => stab_tree(&cells.graph, &crossings, cell),
+    });
     for point in &points {
-        let eye = PlanPoint::from_coordinates(&point.each_ref().map(|c| c * &grid));
-        let refused =
-            |error| Failure::file(&input.name, format!("({} {}): {error}", point[0], point[1]));
-        let step = walk.step(eye, cone.as_ref()).map_err(refused)?;
+        let eye = eyes.grid_point(point);
+        let step = walk.step(eye, cone.as_ref()).map_err(|error| {
+            let why = why(&error, level.is_some());
+            Failure::file(&input.name, format!("({} {}): {why}", point[0], point[1]))
+        })?;
         let place = walk.place().expect("a walk that has made a step is somewhere");
-        let known = sights.as_ref().map(|sights| sights.of_cell(place.cell())).unwrap_or_default();
+        let tree = walk.kept().map(Vec::as_slice).unwrap_or_default();
         let view = eyes.view(place, cone.as_ref());
-        let mut view = view.report(cull, CellSight::Cells(&known), args.regions);
+        let mut view = view.report(cull, CellSight::Tree(tree), args.regions);
         view.step = args.path.is_some().then(|| eyes.report_step(&step));
         report.views.push(view);
     }
     files::print(&if args.json { report.to_json() } else { report.to_text() })?;
     Ok(Exit::Done)
+}
+
+/// Why an eye has no view, in the words of its input.
+fn why(error: &PlanPlaceError, is_level: bool) -> String {
+    match error {
+        PlanPlaceError::OnWall { segment } if is_level => {
+            format!("the eye is on a wall: linedef {segment}")
+        }
+        error => error.to_string(),
+    }
 }
 
 /// What has no meaning in the plane.
@@ -127,18 +134,9 @@ fn cull(args: &Args) -> Result<PlanCull, Failure> {
     }
 }
 
-/// What each cell sees.
-struct Sights(crate::report::Matrix);
-
-impl Sights {
-    fn of(graph: &PlanGraph) -> Result<Sights, Failure> {
-        let groups = Groups::cells(graph.cells.len());
-        let matrix = plan_matrix(graph, &graph.crossings(), &groups, &Silent);
-        matrix.map(Sights).ok_or(Failure::Interrupted)
-    }
-
-    fn of_cell(&self, cell: CellId) -> Vec<CellId> {
-        let sees = |&to: &usize| self.0.get(cell.0 as usize, to) == Verdict::Open;
-        (0..self.0.size()).filter(sees).map(|to| CellId(to as u32)).collect()
-    }
+/// The stab tree of a cell.
+fn stab_tree(graph: &PlanGraph, crossings: &Crossings, cell: CellId) -> Vec<PlanStabNode> {
+    let trees = plan_stab_trees(graph, crossings, &[cell], false, &Silent);
+    let trees = trees.expect("nothing interrupts a search in silence");
+    trees.into_iter().flat_map(|tree| tree.nodes).collect()
 }

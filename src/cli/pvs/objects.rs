@@ -1,10 +1,12 @@
-//! `--objects`: which cells see which detail objects.
+//! `--objects`: which cells see which detail objects, or objects and regions of a floorplan.
 
 use super::super::exit::Failure;
 use super::super::files::Input;
+use super::super::plan::Planar;
 use super::super::world::{self, WorldArgs};
 use super::{Args, on_threads};
 use crate::portal::Population;
+use crate::pvs::plan::plan_object_sights;
 use crate::pvs::{self, ObjectSight};
 use crate::report::{
     Matrix, ObjectEntry, ObjectWitness, ObjectsReport, Progress, PvsReport, Verdict,
@@ -99,6 +101,41 @@ fn witness(ObjectSight { object, cell, pair }: &ObjectSight) -> ObjectWitness {
     // The last portal is where the line enters the object.
     let (_, portals) = pair.portals.split_last().expect("a line into an object crosses its face");
     ObjectWitness::new(*object, cell.0, portals.to_vec(), &pair.line.numbers())
+}
+
+/// Which cells of a floorplan see its objects and regions; `None` if interrupted.
+pub(super) fn of_plan(
+    args: &Args,
+    input: &Input,
+    planar: &Planar,
+    report: &PvsReport,
+) -> Result<Option<ObjectsReport>, Failure> {
+    let (plan, graph) = match planar {
+        Planar::Divided { plan, cells, level: None } => (plan, &cells.graph),
+        Planar::Divided { level: Some(_), .. } => return Err(states_none(input, "a Doom level")),
+        Planar::Graph(_) => return Err(states_none(input, "a portal graph")),
+    };
+    let found = on_threads(args, |watch| {
+        let crossings = graph.crossings();
+        plan_object_sights(graph, &crossings, &plan.objects, !args.no_witness, watch)
+    })?;
+    let Some(found) = found else { return Ok(None) };
+    let entries = plan.objects.iter().zip(&found.held_by).map(|(object, cells)| {
+        let (polygon, cells) = (object.in_world(&plan.grid), cells.iter().map(|cell| cell.0));
+        ObjectEntry::of_plan(&object.name, &polygon, cells.collect())
+    });
+    let sights = found.sights.into_iter();
+    let witnesses =
+        sights.map(|s| ObjectWitness::new(s.object, s.cell.0, s.portals, &s.line)).collect();
+    let (entries, rows) = (entries.collect(), &found.verdicts);
+    Ok(Some(ObjectsReport::new(report, "exact", entries, rows, witnesses)))
+}
+
+fn states_none(input: &Input, what: &str) -> Failure {
+    Failure::usage(format!(
+        "--objects: {} is {what}, which states no objects; expected a floorplan",
+        input.name
+    ))
 }
 
 /// One line that says what was found.

@@ -5,7 +5,7 @@ use super::super::exit::{Exit, Failure};
 use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
-use super::{Args, CellsArg, on_threads};
+use super::{Args, CellsArg, objects, on_threads, tree};
 use crate::pvs::plan::{Cover, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
@@ -48,11 +48,26 @@ pub(super) fn run(
         matrix,
         witnesses: if wants_witnesses { witnesses } else { Vec::new() },
     };
+    let objects = match &args.objects {
+        Some(_) => {
+            Some(objects::of_plan(args, input, &planar, &report)?.ok_or(Failure::Interrupted)?)
+        }
+        None => None,
+    };
+    if let (Some(output), Some(objects)) = (&args.objects, &objects) {
+        clock.lap("objects");
+        files::write(Some(output), |out| objects.write(out))?;
+    }
+    if let Some(output) = &args.stab_tree {
+        let trees = tree::of_plan(args, &planar)?.ok_or(Failure::Interrupted)?;
+        files::write(Some(output), |out| trees.write(out, &report.input))?;
+        clock.lap("stab trees");
+    }
     write(args, &report)?;
     clock.lap("write");
     let is_written = [&args.output, &args.npy, &args.reject].iter().any(|path| path.is_some());
     if !writes_to_stdout && (args.json || !is_written) {
-        files::print(&summary::plan_summary(&planar, &report, args.json))?;
+        files::print(&summary::plan_summary(&planar, &report, objects.as_ref(), args.json))?;
     }
     if args.stats {
         summary::print_times(&clock);
@@ -96,6 +111,7 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
         (!args.merge.is_empty(), "--merge"),
         (args.resume.is_some(), "--resume"),
         (args.budget.is_some(), "--budget"),
+        (args.objects_method == objects::Method::Conservative, "--objects-method conservative"),
     ];
     match parts.iter().find(|(is_stated, _)| *is_stated) {
         Some((_, name)) => Err(Failure::usage(format!(

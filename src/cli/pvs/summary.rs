@@ -90,7 +90,12 @@ pub(super) fn summary(
 }
 
 /// The summary of a floorplan's result, as text or as JSON.
-pub(super) fn plan_summary(planar: &Planar, report: &PvsReport, as_json: bool) -> String {
+pub(super) fn plan_summary(
+    planar: &Planar,
+    report: &PvsReport,
+    objects: Option<&ObjectsReport>,
+    as_json: bool,
+) -> String {
     let graph = planar.graph();
     let counts = report.matrix.counts();
     let cells = report.cells.len() as u64;
@@ -115,6 +120,9 @@ pub(super) fn plan_summary(planar: &Planar, report: &PvsReport, as_json: bool) -
             value["leaves"] = graph.cells.len().into();
             value["oddities"] = level.oddities_as_json();
         }
+        if let Some(objects) = objects {
+            value["objects"] = serde_json::json!(objects.counts());
+        }
         return format!("{value:#}\n");
     }
     let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
@@ -132,8 +140,9 @@ pub(super) fn plan_summary(planar: &Planar, report: &PvsReport, as_json: bool) -
     }
     let rest = if report.grazing_classified { "blocked " } else { "not open" };
     text += &format!("{rest}   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
-    text + "ordered pairs of cells, each cell with itself included; every open pair has an exact \
-            sightline\n"
+    text += "ordered pairs of cells, each cell with itself included; every open pair has an exact \
+             sightline\n";
+    text + &objects.map(super::objects::summary).unwrap_or_default()
 }
 
 /// Prints times and peak memory.

@@ -12,7 +12,7 @@ use super::PlanView;
 use super::cone::{Wedge, turn};
 use crate::num::Sign;
 use crate::scene::CellId;
-use crate::scene::plan::PlanPortal;
+use crate::scene::plan::{PlanPortal, PlanStabNode};
 
 /// How cells that the eye's cell sees are ruled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,19 +45,8 @@ impl PlanCull {
 pub enum CellSight<'k> {
     /// The cells.
     Cells(&'k [CellId]),
-    /// The stab tree: its vertices, each after its parent.
-    Tree(&'k [TreeVertex]),
-}
-
-/// A portal sequence that admits a sightline: that of the parent, and one portal more.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TreeVertex {
-    /// The parent's index; none for a sequence of one portal.
-    pub parent: Option<u32>,
-    /// The last portal.
-    pub portal: u32,
-    /// The cell that it enters.
-    pub cell: CellId,
+    /// The nodes of its stab tree, each after its parent.
+    Tree(&'k [PlanStabNode]),
 }
 
 impl PlanView<'_> {
@@ -82,7 +71,7 @@ impl PlanView<'_> {
     fn given(&self, sight: CellSight) -> Vec<CellId> {
         let mut cells = match sight {
             CellSight::Cells(cells) => cells.to_vec(),
-            CellSight::Tree(tree) => tree.iter().map(|vertex| vertex.cell).collect(),
+            CellSight::Tree(tree) => tree.iter().map(|node| node.cell).collect(),
         };
         cells.push(self.place.cell);
         cells.sort_unstable();
@@ -100,10 +89,10 @@ impl PlanView<'_> {
         match sight {
             CellSight::Tree(tree) => {
                 let mut passed = vec![false; tree.len()];
-                for (i, vertex) in tree.iter().enumerate() {
-                    let comes_here = vertex.parent.is_none_or(|parent| passed[parent as usize]);
-                    passed[i] = comes_here && passes(vertex.cell, vertex.portal);
-                    if let (true, Some(index)) = (passed[i], index(vertex.cell)) {
+                for (i, node) in tree.iter().enumerate() {
+                    let comes_here = node.parent.is_none_or(|parent| passed[parent as usize]);
+                    passed[i] = comes_here && passes(node.cell, node.portal);
+                    if let (true, Some(index)) = (passed[i], index(node.cell)) {
                         reached[index] = true;
                     }
                 }
@@ -132,7 +121,7 @@ impl PlanView<'_> {
     fn meets_cell(&self, cell: CellId) -> bool {
         let Some(cone) = self.cone() else { return true };
         if self.is_around(cell) {
-            return self.own_part(cell).is_some();
+            return self.meets_own(cell);
         }
         let outline = self.outline(&self.plan.polygon(cell));
         outline.is_some_and(|outline| outline.meet(&self.place.eye, cone).is_some())

@@ -149,6 +149,12 @@ impl<'a> PlanView<'a> {
         }
     }
 
+    /// Whether the inside of a closed cell around the eye meets the view cone's.
+    pub(super) fn meets_own(&self, cell: CellId) -> bool {
+        // Around an eye strictly inside there is its cell in all directions.
+        self.place.around.len() == 1 || self.own_part(cell).is_some()
+    }
+
     fn part(&self, seen: &PlanSeen) -> Vec<PlanPoint> {
         part_behind(&self.place.eye, seen.wedge, &self.plan.polygon(seen.cell))
     }
@@ -156,7 +162,7 @@ impl<'a> PlanView<'a> {
     /// The cells that are seen, in ascending order.
     pub fn seen_cells(&self, sequences: &PlanSequences) -> Vec<CellId> {
         let own = self.place.around.iter().copied();
-        let own = own.filter(|&cell| self.own_part(cell).is_some());
+        let own = own.filter(|&cell| self.meets_own(cell));
         let mut cells: Vec<CellId> = own.chain(sequences.all.iter().map(|s| s.cell)).collect();
         cells.sort_unstable();
         cells.dedup();

@@ -208,7 +208,17 @@ pub fn turn_of_points_filter(
     c: &PlanPoint,
     bound: f64,
 ) -> Option<Sign> {
-    let ([ax, ay], [bx, by], [cx, cy]) = (a.floats, b.floats, c.floats);
+    turn_filter(a.floats, b.floats, c.floats, bound)
+}
+
+/// [`turn_of_points_filter`] on the points' floats.
+#[inline(always)]
+pub(super) fn turn_filter(
+    [ax, ay]: [f64; 2],
+    [bx, by]: [f64; 2],
+    [cx, cy]: [f64; 2],
+    bound: f64,
+) -> Option<Sign> {
     let turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     if turn > bound {
         Some(Sign::Positive)

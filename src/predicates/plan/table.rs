@@ -1,8 +1,6 @@
 //! A table of distinct points, to which a plan refers by number.
 
-use super::point::{
-    PlanPoint, compare_coordinates, error_bound, turn_exact, turn_of_points_filter,
-};
+use super::point::{PlanPoint, compare_coordinates, error_bound, turn_exact, turn_filter};
 use crate::num::Sign;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
@@ -14,6 +12,8 @@ use std::cmp::Ordering;
 #[derive(Clone, Debug)]
 pub struct PlanPoints {
     points: Vec<PlanPoint>,
+    /// Those of the points, close together in memory.
+    floats: Vec<[f64; 2]>,
     numbers: FxHashMap<PlanPoint, u32>,
     /// The points as integers, while all are below [`SHORT`] in magnitude.
     short: Option<Vec<[i64; 2]>>,
@@ -28,6 +28,7 @@ impl Default for PlanPoints {
     fn default() -> PlanPoints {
         PlanPoints {
             points: Vec::new(),
+            floats: Vec::new(),
             numbers: FxHashMap::default(),
             short: Some(Vec::new()),
             largest: 0.0,
@@ -54,6 +55,7 @@ impl PlanPoints {
         self.largest = point.floats().iter().fold(self.largest, |m, c| m.max(c.abs()));
         self.bound = error_bound(self.largest);
         self.numbers.insert(point.clone(), number);
+        self.floats.push(point.floats());
         self.points.push(point);
         number
     }
@@ -87,18 +89,23 @@ impl PlanPoints {
     /// Contract: exact, degree 3 in x, y, w, unperturbed
     #[inline]
     pub fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
+        let (i, j, k) = (a as usize, b as usize, c as usize);
         if let Some(short) = &self.short {
-            let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| short[p as usize]);
+            let ([ax, ay], [bx, by], [cx, cy]) = (short[i], short[j], short[k]);
             return Sign::of(&((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)));
         }
+        match turn_filter(self.floats[i], self.floats[j], self.floats[k], self.bound) {
+            Some(sign) => sign,
+            None => self.turn_by_exact_stages(a, b, c),
+        }
+    }
+
+    #[inline(never)]
+    fn turn_by_exact_stages(&self, a: u32, b: u32, c: u32) -> Sign {
         if a == b || b == c || a == c {
             return Sign::Zero;
         }
-        let [a, b, c] = [a, b, c].map(|p| &self.points[p as usize]);
-        match turn_of_points_filter(a, b, c, self.bound) {
-            Some(sign) => sign,
-            None => turn_exact(a, b, c),
-        }
+        turn_exact(self.get(a), self.get(b), self.get(c))
     }
 
     /// The order of `v` and `w` along the directed line from `p` to `q`.

@@ -23,11 +23,16 @@ pub(super) struct Around {
 }
 
 impl Around {
-    /// The wedges at every corner of a cell and every end of a portal.
-    pub(super) fn new(graph: &PlanGraph, crossings: &Crossings) -> Around {
+    /// The wedges at every corner and every end of a portal of the cells that a way leads to from
+    /// one that is asked about.
+    pub(super) fn new(graph: &PlanGraph, crossings: &Crossings, groups: &Groups) -> Around {
         let mut all: Vec<(u32, Wedge)> = Vec::new();
+        let is_reached = reached(graph, crossings, groups);
         for (number, polygon) in graph.polygons.iter().enumerate() {
             let cell = CellId(number as u32);
+            if !is_reached[number] {
+                continue;
+            }
             let n = polygon.len();
             for k in 0..n {
                 let (from, to) = (polygon[(k + 1) % n], polygon[(k + n - 1) % n]);
@@ -90,30 +95,38 @@ impl Around {
         if groups.are_cells {
             return !wedges.is_empty();
         }
-        // The directions in which something parts the two cells beside it, with what it parts.
-        let mut parting: Vec<(u32, [Option<u32>; 2], bool)> = Vec::new();
+        // The directions in which a wall or the boundary of a group goes off. What lies to the left
+        // and to the right of one runs on to the next.
+        let mut parting: Vec<(u32, bool)> = Vec::new();
         for wedge in wedges {
             let own = groups.of(wedge.cell);
             let ways = crossings.from(wedge.cell);
-            let ahead = ways.iter().find(|way| way.right == vertex);
-            match ahead {
+            match ways.iter().find(|way| way.right == vertex) {
                 Some(way) if groups.of(way.to) == own => {}
-                Some(way) => parting.push((wedge.from, [own, groups.of(way.to)], false)),
-                None => parting.push((wedge.from, [own, None], true)),
+                Some(_) => parting.push((wedge.from, false)),
+                None => parting.push((wedge.from, true)),
             }
             if !ways.iter().any(|way| way.left == vertex) {
-                parting.push((wedge.to, [None, own], true));
+                parting.push((wedge.to, true));
             }
         }
-        match parting[..] {
+        // A wall between two cells is there from either side.
+        let mut distinct: Vec<(u32, bool)> = Vec::new();
+        for (point, is_wall) in parting {
+            let is_same = |&(other, _): &(u32, bool)| {
+                graph.points.turn(point, vertex, other) == Sign::Zero
+                    && !self.faces_away(graph, vertex, point, other)
+            };
+            if !distinct.iter().any(is_same) {
+                distinct.push((point, is_wall));
+            }
+        }
+        match distinct[..] {
             [] => false,
-            [(p, [left, right], wall), (q, [other_left, other_right], other_wall)] => {
+            [(p, is_wall), (q, is_other_wall)] => {
                 let is_straight = graph.points.turn(p, vertex, q) == Sign::Zero
                     && self.faces_away(graph, vertex, p, q);
-                // Seen from either end, left and right change places. A wall with nothing behind
-                // it is named by its one side twice.
-                let is_alike = [left, right] == [other_right, other_left] && wall == other_wall;
-                !(is_straight && is_alike)
+                !(is_straight && is_wall == is_other_wall)
             }
             _ => true,
         }
@@ -124,6 +137,22 @@ impl Around {
         let along = |a, b| graph.points.compare_along([p, vertex], a, b);
         along(vertex, q).is_lt()
     }
+}
+
+/// Which cells a way leads to from one that is in a group.
+fn reached(graph: &PlanGraph, crossings: &Crossings, groups: &Groups) -> Vec<bool> {
+    let cells = (0..graph.cells.len() as u32).map(CellId);
+    let mut stack: Vec<CellId> = cells.filter(|&cell| groups.of(cell).is_some()).collect();
+    let mut reached = vec![false; graph.cells.len()];
+    stack.iter().for_each(|cell| reached[cell.0 as usize] = true);
+    while let Some(cell) = stack.pop() {
+        for way in crossings.from(cell) {
+            if !std::mem::replace(&mut reached[way.to.0 as usize], true) {
+                stack.push(way.to);
+            }
+        }
+    }
+    reached
 }
 
 /// The edge of a polygon that holds a point of its boundary which is no corner, from its end to

@@ -56,6 +56,14 @@ impl Cover {
         (g.contains(&from) && h.contains(&to)) || (g.contains(&to) && h.contains(&from))
     }
 
+    /// The sets that all cells of a group are in, ascending.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    pub fn sets_of(&self, group: u32) -> &[u32] {
+        &self.sets_of_group[group as usize]
+    }
+
     /// The verdict of each pair of sets from those of the groups: a pair is open if any of its
     /// groups are.
     ///

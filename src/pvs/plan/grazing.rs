@@ -32,7 +32,7 @@ pub fn classify_plan_grazing(
     matrix: &mut Matrix,
     progress: &dyn Progress,
 ) -> Option<()> {
-    let around = Around::new(graph, crossings);
+    let around = Around::new(graph, crossings, groups);
     let mut ends: Vec<u32> = graph.portals.iter().flat_map(|p| [p.left, p.right]).collect();
     ends.sort_unstable();
     ends.dedup();

@@ -19,7 +19,7 @@ use crate::num::Number;
 use crate::predicates::PlanPoints;
 use crate::report::Progress;
 use crate::scene::CellId;
-use crate::scene::plan::{Crossing, Crossings, PlanGraph};
+use crate::scene::plan::{Crossing, Crossings, PlanGraph, PlanStabNode};
 use crate::stab::hourglass::chains::{Chains, Ends, Place};
 use rayon::prelude::*;
 
@@ -34,17 +34,6 @@ pub struct PlanStabTree {
     /// For each node two distinct points of a line through its sequence, in its direction and in
     /// world units; empty where lines were not asked for.
     pub lines: Vec<[[Number; 2]; 2]>,
-}
-
-/// An open sequence: that of the parent, and one portal more.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PlanStabNode {
-    /// The index of the node of the sequence without its last portal; `None` for one portal.
-    pub parent: Option<u32>,
-    /// The last portal, by its index in [`PlanGraph::portals`].
-    pub portal: u32,
-    /// The cell that it enters.
-    pub cell: CellId,
 }
 
 /// What a stab tree comes to.

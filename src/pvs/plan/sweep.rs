@@ -83,7 +83,7 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(graph: &'a PlanGraph, crossings: &'a Crossings, groups: &'a Groups) -> Sweep<'a> {
         assert!(graph.polygons.len() == graph.cells.len(), "a graph without its cells' polygons");
-        let around = Around::new(graph, crossings);
+        let around = Around::new(graph, crossings, groups);
         let vertices = around.essential(graph, crossings, groups);
         Sweep { graph, crossings, groups, around, vertices }
     }

@@ -185,3 +185,46 @@ fn grazing_pairs_are_those_of_all_sequences() {
     }
     assert!(grazing > 50, "{grazing}");
 }
+
+#[test]
+fn groups_see_what_their_cells_see() {
+    let mut random = Random::new(13);
+    let mut counts = [0; 2];
+    for _ in 0..300 {
+        let size = random.between(3, 9);
+        let count = random.between(1, 12);
+        let segments: Vec<_> = (0..count)
+            .map(|_| [(); 2].map(|()| [(); 2].map(|()| random.between(0, size))))
+            .filter(|ends| ends[0] != ends[1])
+            .collect();
+        if segments.is_empty() {
+            continue;
+        }
+        let cells = cells(&plan(&segments));
+        let (graph, crossings) = (&cells.graph, cells.graph.crossings());
+        let of_cells =
+            plan_matrix(graph, &crossings, &Groups::cells(graph.cells.len()), &Silent).unwrap();
+        let of_cell: Vec<Option<u32>> = (0..graph.cells.len())
+            .map(|_| Some(random.between(0, 4) as u32).filter(|&group| group < 4))
+            .collect();
+        let groups = Groups::new(4, of_cell.clone());
+        let all = |_, _| true;
+        let (matrix, sights) = plan_sights(graph, &crossings, &groups, &all, &Silent).unwrap();
+        check_sights(graph, &groups, &matrix, &sights);
+        let mut expected = Matrix::new(4, Verdict::NotOpen);
+        (0..4).for_each(|group| expected.set(group, group, Verdict::Open));
+        for (from, g) in of_cell.iter().enumerate() {
+            for (to, h) in of_cell.iter().enumerate() {
+                if let (Some(g), Some(h)) = (g, h)
+                    && of_cells.get(from, to) == Verdict::Open
+                {
+                    expected.set(*g as usize, *h as usize, Verdict::Open);
+                }
+            }
+        }
+        assert_eq!(matrix, expected, "{segments:?} {of_cell:?}");
+        counts[0] += matrix.counts().open;
+        counts[1] += matrix.counts().not_open;
+    }
+    assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
+}

@@ -1,14 +1,12 @@
 //! A rational line through portals that some line is known to pass.
 
+use super::propose::{Part, parts};
 use crate::geom::BigPoint2;
 use crate::num::{Int, Number, Rational, Sign};
 use crate::predicates::{PlanPoint, turn_of_points};
 use crate::scene::plan::{Crossing, PlanGraph};
 use crate::stab::hourglass::{Hourglass, PlaneVerdict};
 use num_integer::Integer;
-
-/// Parts of a portal at which simple lines are tried.
-const FRACTIONS: [(i64, i64); 7] = [(1, 2), (1, 3), (2, 3), (1, 4), (3, 4), (1, 8), (7, 8)];
 
 /// Two points of a line in its direction, in grid units.
 #[derive(Clone, Debug)]
@@ -47,35 +45,29 @@ pub(super) fn through(points: Points, ways: &[Crossing]) -> Through {
     simple(points, ways).unwrap_or_else(|| inner(points, ways))
 }
 
-/// A line through simple parts of the first and the last portal.
+/// A line through simple parts of the first and the last portal: halves, thirds, and parts that
+/// floats propose.
 fn simple(points: Points, ways: &[Crossing]) -> Option<Through> {
     let (first, last) = (ways.first()?, ways.last()?);
     let ends = |way: &Crossing| [way.left, way.right].map(|end| points(end).coordinates());
-    let part = |way: &Crossing, (p, q): (i64, i64)| {
+    let part = |way: &Crossing, Part(p, q): Part| {
         let t = Rational::new(p.into(), q.into());
         let [a, b] = ends(way);
-        [0, 1].map(|i| &a[i] + &t * (&b[i] - &a[i]))
+        PlanPoint::from_coordinates(&[0, 1].map(|i| &a[i] + &t * (&b[i] - &a[i])))
     };
     if ways.len() == 1 {
         let [l, r] = ends(first);
-        let middle = part(first, (1, 2));
-        let beyond = [&middle[0] + (&l[1] - &r[1]), &middle[1] - (&l[0] - &r[0])];
-        return Some(Through([middle, beyond].map(|p| PlanPoint::from_coordinates(&p))));
+        let middle = part(first, Part(1, 2));
+        let [x, y] = middle.coordinates();
+        let beyond = [x + (&l[1] - &r[1]), y - (&l[0] - &r[0])];
+        return Some(Through([middle, PlanPoint::from_coordinates(&beyond)]));
     }
-    for f in FRACTIONS {
-        let from = PlanPoint::from_coordinates(&part(first, f));
-        for l in FRACTIONS {
-            let to = PlanPoint::from_coordinates(&part(last, l));
-            if from == to {
-                continue;
-            }
-            let line = Through([from.clone(), to]);
-            if ways.iter().all(|way| line.passes(points, way)) {
-                return Some(line);
-            }
-        }
-    }
-    None
+    let floats = |way: &Crossing| [points(way.left).floats(), points(way.right).floats()];
+    let gates: Vec<_> = ways.iter().map(floats).collect();
+    parts(&gates).find_map(|[start, end]| {
+        let line = Through([part(first, start), part(last, end)]);
+        ways.iter().all(|way| line.passes(points, way)).then_some(line)
+    })
 }
 
 /// The line that the hourglass of the portals gives.

@@ -69,6 +69,17 @@ impl Crossings {
     }
 }
 
+/// A node of a stab tree: an open sequence, that of the parent and one portal more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanStabNode {
+    /// The index of the node of the sequence without its last portal; `None` for one portal.
+    pub parent: Option<u32>,
+    /// The last portal, by its index in [`PlanGraph::portals`].
+    pub portal: u32,
+    /// The cell that it enters.
+    pub cell: CellId,
+}
+
 impl PlanGraph {
     /// Both ways through every portal, by the cell left. O(n lg n).
     pub fn crossings(&self) -> Crossings {

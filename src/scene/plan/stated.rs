@@ -50,6 +50,13 @@ pub struct PlanObject {
     pub polygon: Vec<PlanPoint>,
 }
 
+impl PlanObject {
+    /// Its corners in world units, of which one has `grid` grid units.
+    pub fn in_world(&self, grid: &Int) -> Vec<[Rational; 2]> {
+        self.polygon.iter().map(|corner| corner.coordinates().map(|c| c / grid)).collect()
+    }
+}
+
 /// What was repaired, none of which changes what can be seen.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlanRepairs {

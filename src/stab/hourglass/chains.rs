@@ -12,13 +12,19 @@
 //! not see, and the fan of lines from the list's first end tells where the rest of the polygon
 //! lies, seen past that end.
 //!
-//! **Portals of convex cells** come in an order that every line through them keeps, and less will
-//! do. An extremal line through ends of the chains touches them in the order of their portals. So
-//! a new left end, which no such line meets before the others, can only be the last of its chain,
-//! next to the edge from the late left end to the early right one: on the good side of that edge
-//! it is redundant, and else the other joining edge stays or nothing is left. Only an end of the
-//! very same portal may come after it on a line, and then that line runs in the portal: the other
-//! joining edge, which touches both, is then kept as a line, but between other ends.
+//! **Portals of convex cells** that do not overlap ([`Place::Beyond`]) come in an order that lines
+//! keep. Call the cell that was last come into C, and take a line of the closed cone through a new
+//! end in C. It touches every portal so far, one after the other, and then is in C until it leaves
+//! it: it meets the new end after those of the chains that it touches. (An end of a chain may lie
+//! further along a line that runs in its portal; but then the new end would lie inside of that.)
+//! So a new left end can only be the last of its chain, next to the edge from the late left end to
+//! the early right one: on the good side of that edge it is redundant, and else the other joining
+//! edge stays, or nothing is left. There are two exceptions. The other end of the very same portal
+//! may come later on a line, which then runs in that portal: such a line is the other joining
+//! edge, which stays as a line, but between other ends. And where the new end and the last portal
+//! lie on one edge of C, a line in that edge may meet the new end first. No other line through the
+//! end passes that portal, so the end cuts off nothing or all, and any edge that does not touch it
+//! tells which.
 //!
 //! In such sequences a chain is a window that loses ends at both sides and gains them at its end.
 //! It lies in an array; the one number that a push writes over is kept, and put back by the pop.
@@ -55,7 +61,8 @@ pub(crate) enum Place {
     /// Anywhere.
     Anywhere,
     /// In the closed convex cell that all lines through the sequence so far have come into by its
-    /// last segment, and not inside that segment.
+    /// last segment. The segments are portals of cells that do not overlap, one cell after the
+    /// other.
     Beyond,
 }
 
@@ -69,7 +76,7 @@ pub(crate) enum Side {
 use Side::{Left, Right};
 
 /// An end of a segment, with its side.
-type SidedEnd = (u32, Side);
+pub(super) type SidedEnd = (u32, Side);
 
 /// The hourglass of a growing and shrinking sequence.
 ///
@@ -105,13 +112,13 @@ struct Undo {
 
 /// The ends of the list that are kept: from `first` on to `last`, inclusive, around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Run {
-    first: usize,
-    last: usize,
+pub(super) struct Run {
+    pub(super) first: usize,
+    pub(super) last: usize,
 }
 
 /// What a new end does to the cone.
-enum Cut {
+pub(super) enum Cut {
     Redundant,
     Shrunk(Run),
     Closed,
@@ -231,13 +238,13 @@ impl Chains {
         }
     }
 
-    fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.chains[0].len() + self.chains[1].len()
     }
 
     /// End `i` of the list, which goes around once at most.
     #[inline]
-    fn at(&self, i: usize) -> SidedEnd {
+    pub(super) fn at(&self, i: usize) -> SidedEnd {
         let [left, right] = &self.chains;
         let i = if i >= self.len() { i - self.len() } else { i };
         if i < left.len() {
@@ -257,11 +264,11 @@ impl Chains {
 
     /// The sign of an end on edge `i`.
     #[inline]
-    fn edge(&self, ends: &impl Ends, i: usize, new: SidedEnd) -> Sign {
+    pub(super) fn edge(&self, ends: &impl Ends, i: usize, new: SidedEnd) -> Sign {
         self.sign(ends, i, i + 1, new)
     }
 
-    fn cut(&self, ends: &impl Ends, new: SidedEnd, place: Place) -> Cut {
+    pub(super) fn cut(&self, ends: &impl Ends, new: SidedEnd, place: Place) -> Cut {
         if self.len() == 2 {
             return self.cut_pair(ends, new);
         }
@@ -343,17 +350,26 @@ impl Chains {
     fn probe_beyond(&self, ends: &impl Ends, new: SidedEnd) -> Probe {
         let late = [self.chains[0].len() - 1, self.len() - 1];
         let (bad, far) = (late[new.1 as usize], late[1 - new.1 as usize]);
-        match self.edge(ends, bad, new) {
-            // To touch the line is not to cut it off.
-            Sign::Positive | Sign::Zero => return Probe::Redundant,
-            Sign::Negative => {}
-        }
-        match self.edge(ends, far, new) {
-            Sign::Positive => Probe::Edges { good: far, bad },
-            Sign::Negative => Probe::Closed,
+        let touches = match self.edge(ends, bad, new) {
+            Sign::Positive => return Probe::Redundant,
+            Sign::Zero => true,
+            Sign::Negative => false,
+        };
+        match (touches, self.edge(ends, far, new)) {
+            (true, Sign::Positive) => Probe::Redundant,
+            (false, Sign::Positive) => Probe::Edges { good: far, bad },
+            (_, Sign::Negative) => Probe::Closed,
+            // At the one end of a chain: it is that end, or the same point on the other side.
+            (true, Sign::Zero) => {
+                let other = (0..self.len()).find(|&i| i != bad && i != far).unwrap_or(bad);
+                match self.edge(ends, other, new) {
+                    Sign::Positive | Sign::Zero => Probe::Redundant,
+                    Sign::Negative => Probe::Closed,
+                }
+            }
             // A line in the portal itself. The edge before it is of the other chain, if that has
             // one, or else the bad one.
-            Sign::Zero => {
+            (false, Sign::Zero) => {
                 let good = far.checked_sub(1).unwrap_or(bad);
                 match self.edge(ends, good, new) {
                     Sign::Positive => Probe::Edges { good, bad },
@@ -406,6 +422,3 @@ impl Chains {
         self.chains[own].insert(before, end, after, &mut undo[own]);
     }
 }
-
-#[cfg(test)]
-mod tests;

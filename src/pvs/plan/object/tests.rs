@@ -32,7 +32,7 @@ fn object(random: &mut Random, index: usize) -> PlanObject {
 fn cells_see_the_objects_that_the_twin_sees() {
     let mut random = Random::new(41);
     let mut counts = [0; 3];
-    for round in 0..200 {
+    for round in 0..100 {
         let walls = walls(&mut random, round);
         let graph = cells(&plan(&walls)).graph;
         if graph.cells.len() > 12 {
@@ -54,7 +54,7 @@ fn cells_see_the_objects_that_the_twin_sees() {
             }
         }
     }
-    assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
+    assert!(counts.iter().all(|&count| count > 60), "{counts:?}");
 }
 
 /// Each sight's line crosses its portals from its cell on and then the object's inside, in a cell

@@ -67,6 +67,21 @@ pub struct AreaClaim {
 }
 
 impl DoomOddity {
+    /// The kind, in a word or two.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            DoomOddity::ZeroLength { .. } => "zero-length",
+            DoomOddity::NoFront { .. } => "no front",
+            DoomOddity::Flag { .. } => "flag",
+            DoomOddity::SelfReferencing { .. } => "self-referencing",
+            DoomOddity::Overlap { .. } => "overlapping",
+            DoomOddity::Crossing { .. } => "crossing",
+            DoomOddity::Touching { .. } => "touching",
+            DoomOddity::Unclosed { .. } => "unclosed",
+            DoomOddity::NoArea { .. } => "no area",
+        }
+    }
+
     /// What is wrong, in general: the same text for all oddities of a kind.
     pub fn rule(&self) -> &'static str {
         match self {

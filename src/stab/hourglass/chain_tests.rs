@@ -1,7 +1,8 @@
-use super::*;
-use crate::num::Int;
+use super::chains::Side::{Left, Right};
+use super::chains::{Chains, Cut, Ends, Place, Run, SidedEnd};
+use crate::num::{Int, Sign};
 use crate::oracle::{Family, Random, classify_2d, sequence_2d};
-use crate::predicates::PlanPoint;
+use crate::predicates::{PlanPoint, PlanPoints};
 
 /// The edges that are kept, by looking at each; `None` for an end that changes nothing.
 fn kept_edges(chains: &Chains, ends: &PlanPoints, new: SidedEnd) -> Option<Vec<usize>> {
@@ -51,8 +52,8 @@ fn bent(random: &mut Random, count: i64, shuffled: bool) -> Vec<[[i64; 2]; 2]> {
     let bend = |y: i64| (y - count / 2) * (y - count / 2);
     let mut all: Vec<[[i64; 2]; 2]> = (0..count)
         .map(|y| {
-            let wide = random.between(1, 4);
-            [[-wide - bend(y), y * 8], [wide + bend(y) + random.between(0, 2), y * 8]]
+            let [left, right] = [(); 2].map(|()| 300 + random.between(0, 1) + 3 * bend(y));
+            [[-left, y * 8], [right, y * 8]]
         })
         .collect();
     if shuffled {

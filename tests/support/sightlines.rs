@@ -1,0 +1,81 @@
+//! Sightlines of Doom levels, checked against every linedef by a brute-force argument of their own.
+
+use stabline::formats::wad::DoomMap;
+use stabline::num::{Number, Rational};
+use stabline::portal::plan::PlanCells;
+use stabline::pvs::plan::PlanSight;
+use stabline::scene::plan::DoomPlan;
+use std::cmp::Ordering;
+
+type Point = [Rational; 2];
+
+/// What a line meets: how far along it, and the sectors behind and ahead of the linedef.
+struct Hit {
+    at: Rational,
+    behind: Option<u32>,
+    ahead: Option<u32>,
+}
+
+/// Asserts that a line joins its two sectors: from where it leaves the one to where it enters the
+/// other it meets no wall, and the linedefs next to these places name the sectors. Linedefs with
+/// one sector on both sides name nothing.
+pub fn assert_joins(map: &DoomMap, doom: &DoomPlan, cells: &PlanCells, sight: &PlanSight) {
+    let point = |point: &[Number; 2]| point.each_ref().map(Number::to_rational);
+    let [from, to] = sight.line.each_ref().map(point);
+    let ends = |portal: u32| {
+        let portal = &cells.graph.portals[portal as usize];
+        [portal.left, portal.right].map(|end| point(&cells.graph.world(end)))
+    };
+    let place = |portal: Option<&u32>| {
+        let [left, right] = ends(*portal.expect("a line crosses a portal"));
+        crossing(&from, &to, &left, &right).expect("the line crosses its portals").0
+    };
+    let (start, end) = (place(sight.portals.first()), place(sight.portals.last()));
+    assert!(start <= end, "portals in order");
+    let mut hits = hits(map, doom, &from, &to);
+    hits.sort_by(|one, other| one.at.cmp(&other.at));
+    let bounds = |sides: &Hit| sides.behind != sides.ahead;
+    for hit in hits.iter().filter(|hit| start <= hit.at && hit.at <= end) {
+        assert!(hit.behind.is_some() && hit.ahead.is_some(), "no wall between: {sight:?}");
+    }
+    // Just before a place, and just after it.
+    let before = hits.iter().filter(|hit| bounds(hit)).find(|hit| hit.at >= start);
+    let after = hits.iter().rev().filter(|hit| bounds(hit)).find(|hit| hit.at <= end);
+    assert_eq!(before.and_then(|hit| hit.behind), Some(sight.from), "{sight:?}");
+    assert_eq!(after.and_then(|hit| hit.ahead), Some(sight.to), "{sight:?}");
+}
+
+/// Every linedef that the line meets.
+fn hits(map: &DoomMap, doom: &DoomPlan, from: &Point, to: &Point) -> Vec<Hit> {
+    let corner = |vertex: u32| map.vertices[vertex as usize].each_ref().map(Number::to_rational);
+    let lines = map.linedefs.iter().zip(&doom.lines);
+    let hit = lines.filter_map(|(line, sides)| {
+        let (start, end) = (corner(line.start), corner(line.end));
+        let (at, is_to_left) = crossing(from, to, &start, &end)?;
+        // A linedef that runs to the line's left has its front, its right, ahead.
+        let (behind, ahead) = match is_to_left {
+            true => (sides.back, sides.front),
+            false => (sides.front, sides.back),
+        };
+        Some(Hit { at, behind, ahead })
+    });
+    hit.collect()
+}
+
+/// Where the line from `p` to `q` meets a segment, in multiples of the way from `p` to `q`, and
+/// whether the segment runs from its right to its left; `None` if it does not meet it, or lies
+/// along it.
+fn crossing(p: &Point, q: &Point, start: &Point, end: &Point) -> Option<(Rational, bool)> {
+    let zero = Rational::from(stabline::num::Int::from(0));
+    let minus = |a: &Point, b: &Point| [&a[0] - &b[0], &a[1] - &b[1]];
+    let cross = |a: &Point, b: &Point| &a[0] * &b[1] - &a[1] * &b[0];
+    let along = minus(q, p);
+    let [of_start, of_end] = [start, end].map(|corner| cross(&along, &minus(corner, p)));
+    let sides = [&of_start, &of_end].map(|side| side.cmp(&zero));
+    if sides[0] == sides[1] {
+        return None;
+    }
+    let segment = minus(end, start);
+    let at = cross(&minus(start, p), &segment) / cross(&along, &segment);
+    Some((at, sides[0].then(sides[1].reverse()) == Ordering::Less))
+}
