@@ -7,14 +7,14 @@ use super::super::pvs::plan::{Wants, sights};
 use super::Args;
 use super::asked::Cull;
 use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline, TreeNode};
-use crate::eye::plan::{CellSight, EyePlan, TreeVertex, ViewCone};
+use crate::eye::plan::{CellSight, EyePlan, ViewCone};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
 use crate::predicates::PlanPoint;
-use crate::pvs::plan::{PlanStabNode, PlanStabTree, plan_stab_trees};
+use crate::pvs::plan::{PlanStabTree, plan_stab_trees};
 use crate::report::{Silent, Verdict, WitnessLine};
 use crate::scene::CellId;
-use crate::scene::plan::{Plan, PlanGraph};
+use crate::scene::plan::{Plan, PlanGraph, PlanStabNode};
 use std::iter;
 
 /// Draws a cell, the cells that it sees, and a line to each.
@@ -85,12 +85,7 @@ pub(super) fn draw_eye(
     let place = prepared.place(point).map_err(|error| Failure::file(file, error))?;
     let tree = stab_tree(&cells.graph, place.cell())?;
     let view = prepared.view(&place, eye.cone.as_ref());
-    let vertex = |node: &PlanStabNode| {
-        let &PlanStabNode { parent, portal, cell } = node;
-        TreeVertex { parent, portal, cell }
-    };
-    let vertices: Vec<TreeVertex> = tree.nodes.iter().map(vertex).collect();
-    let left = view.cull(cull.method(), CellSight::Tree(&vertices));
+    let left = view.cull(cull.method(), CellSight::Tree(&tree.nodes));
     let regions = view.regions(&view.sequences());
     let drawing = EyeDrawing {
         cone: eye
