@@ -175,10 +175,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
             return keeper.interrupted(&args, &part_header(&args, &input), &finished);
         };
         clock.lap("stab trees");
-        files::write(Some(output), |out| trees.write(out, &report.input))?;
-        if args.stats {
-            summary::tell(&trees.size());
-        }
+        trees.write_to(output, &report.input, args.stats)?;
     }
     if let Some(npy) = &args.npy {
         let bytes = report.matrix.to_npy();

@@ -1,14 +1,16 @@
 //! `--stab-tree`: the stab trees as JSON, `stabline-stab-tree/1`.
 
 use super::super::exit::Failure;
+use super::super::files;
 use super::super::plan::Planar;
-use super::{Args, on_threads};
+use super::{Args, on_threads, summary};
 use crate::num::Number;
 use crate::pvs::plan::{PlanStabTree, plan_stab_trees};
 use crate::pvs::{self, StabNode, StabTree};
 use crate::report::InputId;
 use crate::scene::{CellId, PortalGraph};
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Stab trees of either dimension.
 pub(super) enum Trees {
@@ -52,8 +54,22 @@ fn sources(args: &Args, cells: usize) -> Result<Vec<CellId>, Failure> {
 }
 
 impl Trees {
+    /// Writes them to a file and, if asked, tells how large they are.
+    pub(super) fn write_to(
+        &self,
+        path: &Path,
+        input: &InputId,
+        tells_size: bool,
+    ) -> Result<(), Failure> {
+        files::write(Some(path), |out| self.write(out, input))?;
+        if tells_size {
+            summary::tell(&self.size());
+        }
+        Ok(())
+    }
+
     /// How large they are, in words.
-    pub(super) fn size(&self) -> String {
+    fn size(&self) -> String {
         let (trees, nodes) = match self {
             Trees::Space(trees) | Trees::Lifted(trees) => {
                 (trees.len(), trees.iter().map(|tree| tree.nodes.len()).sum::<usize>())
@@ -65,7 +81,7 @@ impl Trees {
     }
 
     /// Writes the trees, one node a line.
-    pub(super) fn write(&self, out: &mut dyn Write, input: &InputId) -> io::Result<()> {
+    fn write(&self, out: &mut dyn Write, input: &InputId) -> io::Result<()> {
         let input = serde_json::json!({"name": input.name, "blake3": input.blake3});
         write!(out, "{{\"format\": \"stabline-stab-tree/1\",\n\"input\": {input},\n\"trees\": [")?;
         match self {
