@@ -15,6 +15,7 @@ mod exit;
 mod export;
 mod eye;
 mod files;
+mod generate;
 mod interrupt;
 mod meshes;
 mod motion;
@@ -54,6 +55,7 @@ enum Command {
     Draw(draw::Args),
     Export(export::Args),
     Eye(eye::Args),
+    Generate(generate::Args),
     Move(motion::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
@@ -71,6 +73,7 @@ impl Command {
             Command::Draw(args) => draw::run(args),
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
+            Command::Generate(args) => generate::run(args),
             Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),

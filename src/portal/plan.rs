@@ -5,6 +5,10 @@
 //! two leaves' common boundary on which no opaque segment lies (Teller and Séquin 1991, §2.3,
 //! §3.1). O(e lg e) for e edges and segments.
 
+mod neighbours;
+#[cfg(test)]
+mod tests;
+
 use crate::num::Sign;
 use crate::predicates::{PlanPoint, compare_coordinates, turn_of_points};
 use crate::scene::CellId;
@@ -12,6 +16,8 @@ use crate::scene::plan::{Plan, PlanGraph, PlanPortal, PlanSegment};
 use crate::subdivision::plan::PlanTree;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
+
+pub use neighbours::{Neighbour, Neighbours};
 
 /// A piece of a line between two neighbouring points on it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,11 +5,13 @@
 //! subdivision (Teller and Séquin 1991, §2.3), or one that a file states.
 
 mod doom;
+mod generate;
 mod graph;
 mod read;
 mod stated;
 
 pub use doom::{AreaClaim, DoomOddity, DoomPlan, LineSides, plan_of_map};
+pub use generate::{FloorplanOptions, generate_floorplan};
 pub use graph::{Crossing, Crossings, PlanGraph, PlanPortal, PlanStabNode};
 pub use read::{PlanInput, read_plan};
 pub use stated::{

@@ -79,13 +79,15 @@ impl Contents for Bsp {
         let Builder { points, lines } = builder;
         let cost = |fragment: &&Fragment| {
             let [a, b] = lines.through(fragment.line);
-            let [mut left, mut right] = [0usize; 2];
+            let [mut left, mut right, mut sampled] = [0usize; 3];
             for other in spread(&self.fragments, SAMPLE) {
                 let signs = other.ends.map(|end| points.turn(a, b, end));
+                sampled += 1;
                 left += usize::from(signs.contains(&Sign::Positive));
                 right += usize::from(signs.contains(&Sign::Negative));
             }
-            let split = (left + right).saturating_sub(SAMPLE.min(self.fragments.len()));
+            // Those on the line are on neither side, which makes up for some that it divides.
+            let split = (left + right).saturating_sub(sampled);
             SPLIT_WEIGHT * split + left.abs_diff(right)
         };
         let best = spread(&self.fragments, CANDIDATES).min_by_key(cost);

@@ -3,6 +3,7 @@
 use super::laws::check_laws;
 use super::naive::Tree;
 use super::*;
+use crate::scene::plan::{FloorplanOptions, generate_floorplan};
 
 fn divided(plan: &Plan, threshold: i64) -> PlanTree {
     divide(plan, &kd(threshold), &Silent).unwrap()
@@ -188,5 +189,16 @@ fn far_coordinates_are_ranked_exactly() {
             _ => [a, b, c, d].map(|c| c - far),
         };
         assert_eq!(away.into_iter().map(back).collect::<Vec<_>>(), near, "seed {seed}");
+    }
+}
+
+#[test]
+fn a_building_of_a_thousand_faces_has_about_seven_hundred_cells() {
+    for seed in 1..4 {
+        let options = FloorplanOptions { faces: 1000, seed, is_general: false };
+        let plan = Plan::from_raw(&generate_floorplan(&options)).unwrap();
+        let tree = divided(&plan, 0);
+        assert!((600..800).contains(&tree.leaves.len()), "{} cells", tree.leaves.len());
+        assert!(tree.depth() < 40, "depth {}", tree.depth());
     }
 }
