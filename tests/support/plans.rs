@@ -22,7 +22,7 @@ pub enum Kind {
     Star,
     /// Walls on few lines, which overlap, touch and leave gaps.
     Gaps,
-    /// Walls a million units long that are all but parallel.
+    /// Walls trillions of units long that are all but parallel.
     Sliver,
     /// Ends in thirds and sevenths.
     Ratios,
@@ -35,7 +35,7 @@ impl Kind {
 
 /// How many units of a plan of this kind are one step of its lattice.
 fn unit(kind: Kind) -> i64 {
-    if kind == Kind::Sliver { 99_991 } else { 1 }
+    if kind == Kind::Sliver { 1_099_511_627_791 } else { 1 }
 }
 
 /// The walls of a plan, 12 steps wide.

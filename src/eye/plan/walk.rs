@@ -2,7 +2,8 @@
 //!
 //! Between two frames an observer seldom leaves its cell, and leaves it through a portal. So the
 //! cell is followed along the straight way, and what belongs to it (its stab tree, its visible set,
-//! the data of what it may see) is fetched when a cell is entered and kept while the observer stays.
+//! the data of what it may see) is fetched when a cell is entered, and kept while the observer
+//! stays in it.
 
 use super::cone::turn;
 use super::place::Inside;
