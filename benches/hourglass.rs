@@ -21,6 +21,8 @@ use stabline::{num, predicates};
 #[path = "../src/stab/hourglass/chains.rs"]
 #[allow(dead_code, unused_imports, reason = "the bench uses a part of the chains, and no tests")]
 mod chains;
+#[path = "../src/stab/hourglass/window.rs"]
+mod window;
 
 use chains::{Chains, Ends, Place};
 use num::Sign;
@@ -32,7 +34,14 @@ impl Ends for Floats {
     #[inline]
     fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
         let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|end| self.0[end as usize]);
-        Sign::of(&((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)))
+        let turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+        if turn > 0.0 {
+            Sign::Positive
+        } else if turn < 0.0 {
+            Sign::Negative
+        } else {
+            Sign::Zero
+        }
     }
 
     fn order(&self, a: u32, b: u32) -> Ordering {

@@ -6,7 +6,10 @@ use proptest::prelude::*;
 use stabline::formats::wad::{Archive, DoomMap, MapForm};
 use stabline::num::Int;
 use stabline::predicates::PlanPoint;
+use stabline::pvs::plan::{Cover, Groups, plan_matrix, plan_sights};
+use stabline::report::{Matrix, Silent, Verdict};
 use stabline::scene::plan::{DoomPlan, plan_of_map};
+use support::sightlines::assert_joins;
 use support::wads::{Level, Line, divided, faced, half_point, two_rooms};
 
 fn map_of(level: &Level) -> DoomMap {
@@ -200,6 +203,63 @@ proptest! {
         }
         let unclosed = areas.oddities.iter().filter(|oddity| !oddity.rule().starts_with("sectors"));
         prop_assert_eq!(unclosed.count(), 0);
+    }
+}
+
+/// A board of which lines are missing, so that areas have several sectors.
+fn leaky(sectors: &[[Option<u16>; 4]; 4], missing: &[prop::sample::Index]) -> Level {
+    let mut level = board(sectors);
+    for index in missing {
+        if level.lines.len() > 4 {
+            level.lines.remove(index.index(level.lines.len()));
+        }
+    }
+    level
+}
+
+proptest! {
+    #[test]
+    fn sectors_see_each_other_where_their_leaves_do(
+        sectors in prop::array::uniform4(prop::array::uniform4(prop::option::of(0u16..5))),
+        missing in prop::collection::vec(any::<prop::sample::Index>(), 0..6),
+    ) {
+        let level = leaky(&sectors, &missing);
+        prop_assume!(!level.lines.is_empty());
+        let map = map_of(&level);
+        let (doom, cells, areas) = divided(&map);
+        let leaves = 0..areas.of_leaf.len() as u32;
+        let sectors_of = |leaf: u32| areas.sectors_of_leaf(leaf);
+        let cover = Cover::new(doom.sectors, leaves.clone().map(sectors_of));
+        let (graph, crossings) = (&cells.graph, cells.graph.crossings());
+        let all = |_: u32, _: u32| true;
+        let (matrix, sights) =
+            plan_sights(graph, &crossings, cover.groups(), &all, &Silent).unwrap();
+        let (matrix, sights) = (cover.matrix(matrix), cover.sights(graph, sights));
+        let groups = Groups::cells(graph.cells.len());
+        let finer = plan_matrix(graph, &crossings, &groups, &Silent).unwrap();
+        let mut expected = Matrix::new(doom.sectors, Verdict::NotOpen);
+        for (row, column) in leaves.clone().flat_map(|row| leaves.clone().map(move |c| (row, c))) {
+            let verdict = finer.get(row as usize, column as usize);
+            for (&from, &to) in
+                sectors_of(row).iter().flat_map(|f| sectors_of(column).iter().map(move |t| (f, t)))
+            {
+                let known = expected.get(from as usize, to as usize);
+                expected.set(from as usize, to as usize, known.max(verdict));
+            }
+        }
+        (0..doom.sectors).for_each(|sector| expected.set(sector, sector, Verdict::Open));
+        prop_assert_eq!(&matrix, &expected);
+        let pairs: Vec<_> = sights.iter().map(|sight| (sight.from, sight.to)).collect();
+        let verdict = |from: u32, to: u32| expected.get(from as usize, to as usize);
+        let open = |&(from, to): &(u32, u32)| verdict(from, to) == Verdict::Open;
+        let numbers = 0..doom.sectors as u32;
+        let ascending = numbers.clone().flat_map(|from| numbers.clone().map(move |to| (from, to)));
+        let expected: Vec<_> = ascending.filter(|(from, to)| from < to).filter(open).collect();
+        prop_assert_eq!(pairs, expected);
+        // Where areas have one sector each, the linedefs beside a line name its sectors.
+        if areas.sectors.iter().all(|sectors| sectors.len() <= 1) && missing.is_empty() {
+            sights.iter().for_each(|sight| assert_joins(&map, &doom, &cells, sight));
+        }
     }
 }
 

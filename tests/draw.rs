@@ -5,7 +5,7 @@ mod pictures;
 mod support;
 
 use pictures::{Picture, assert_readable, labels};
-use stabline::draw::{Floor, Frame, Sheet, SheetOptions};
+use stabline::draw::{Floor, Frame, Sheet, SheetOptions, TreeNode, draw_tree_graph};
 use stabline::formats::wad::{Archive, MapForm};
 use stabline::num::{Int, Rational};
 use stabline::portal::plan::{PlanCells, cells_of_plan};
@@ -217,6 +217,28 @@ fn stab_trees_run_through_their_portals() {
     assert!(picture.count(SOURCE) > 200 && picture.count(VISIBLE) > 200 * nodes.len());
 }
 
+/// Names and numbers of a tree keep off each other, or are left out.
+#[test]
+fn wide_and_deep_trees_stay_readable() {
+    let names: Vec<String> = (0..2000).map(|cell| cell.to_string()).collect();
+    for (leaves, chain) in [(1, 0), (7, 3), (24, 0), (60, 2), (1500, 40)] {
+        let mut nodes = vec![TreeNode { cell: CellId(1999), before: None }];
+        for leaf in 0..leaves {
+            nodes.push(TreeNode { cell: CellId(leaf), before: Some((0, 123_456)) });
+        }
+        for link in 0..chain {
+            let before = nodes.len() as u32 - 1;
+            nodes.push(TreeNode { cell: CellId(1000 + link), before: Some((before, link)) });
+        }
+        let options = SheetOptions { title: "tree".to_owned(), width: 960 };
+        let svg = draw_tree_graph(&names, &nodes, &options);
+        assert_readable(&svg);
+        assert_eq!(svg.matches("<circle").count(), nodes.len() + 1);
+        let picture = Picture::render(&svg);
+        assert!(picture.has_a_margin() && picture.count(VISIBLE) > 20, "{leaves} {chain}");
+    }
+}
+
 /// Two rooms with an open line between them, and a third one that nothing joins to them.
 #[test]
 fn levels_are_drawn_with_their_lines_and_what_a_sector_sees() {
@@ -252,7 +274,7 @@ fn levels_are_drawn_with_their_lines_and_what_a_sector_sees() {
 #[test]
 fn the_pictures_of_the_documentation_are_up_to_date() {
     let visibility = ["--what", "visibility", "--from", "13"];
-    let eye = ["--what", "eye", "--at", "15,15", "--look", "1,2", "--half-tangent", "1/2"];
+    let eye = ["--what", "eye", "--at", "110,40", "--look", "-3,-1", "--half-tangent", "2/3"];
     for (name, options) in [("draw-visibility.svg", &visibility[..]), ("draw-eye.svg", &eye[..])] {
         let path = root().join("docs").join(name);
         let kept = std::fs::read_to_string(&path).unwrap();

@@ -80,7 +80,7 @@ fn bad_plans_are_refused_with_their_place() {
             r#""segments": [[[0,0],["1/2",0]]], "grid": 3}"#,
             "segments[0]: coordinate 1/2 is not a multiple",
         ),
-        (r#""segments": [[[0,0],[1,0,2]]]}"#, "line 1: "),
+        (r#""segments": [[[0,0],[1,0,2]]]}"#, "plan.json:1: column 70"),
         (r#""segments": [[[0,0],["x",0]]]}"#, "`x`"),
         (
             r#""segments": [[[0,0],[9,9]]], "objects": [{"polygon": [[0,0],[1,1],[2,2]]}]}"#,

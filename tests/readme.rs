@@ -2,7 +2,9 @@
 
 mod support;
 
+use stabline::formats::wad::MapForm;
 use std::path::Path;
+use support::wads::four_rooms;
 use support::{level, root, stabline, three_rooms_result};
 
 /// The commands of the console blocks, with the output that follows each.
@@ -38,6 +40,8 @@ fn every_example_prints_what_the_readme_shows() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
     std::fs::write(at.join("result.json"), three_rooms_result()).unwrap();
+    let rooms = four_rooms().archive("MAP01", MapForm::Doom);
+    std::fs::write(at.join("rooms.wad"), rooms).unwrap();
     std::fs::write(at.join("level.bsp"), level([0b11, 0b111, 0b111, 0b110])).unwrap();
     let examples = examples(&readme);
     assert!(examples.len() >= 5, "{examples:?}");

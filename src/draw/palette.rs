@@ -21,7 +21,7 @@ pub const OUTSIDE: &str = "#e4e4e4";
 pub const EDGE: &str = "#b0b0b0";
 /// Segments that hide nothing. L* 62.
 pub const HINT: &str = "#969696";
-/// Portals. L* 52.
+/// Portals. L* 54.
 pub const PORTAL: &str = "#d55e00";
 /// Splits, under the faces on them. L* 76.
 pub const SPLIT: &str = "#f2ae72";
@@ -33,3 +33,35 @@ pub const SIGHT: &str = "#b84800";
 pub const EYE: &str = "#c8102e";
 /// Text.
 pub const TEXT: &str = "#202020";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// CIE L* of a colour.
+    fn lightness(colour: &str) -> f64 {
+        let channel = |at: usize| {
+            let value = u8::from_str_radix(&colour[at..at + 2], 16).unwrap();
+            let value = f64::from(value) / 255.0;
+            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+        };
+        let y = 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
+        if y > 0.008856 { 116.0 * y.cbrt() - 16.0 } else { 903.3 * y }
+    }
+
+    #[test]
+    fn areas_of_one_picture_are_apart_in_grey() {
+        for areas in [
+            [WALL, SOURCE, VISIBLE, OUTSIDE, CELL].as_slice(),
+            &[WALL, SEEN, VISIBLE_NOW, CULLED, CELL],
+            &[WALL, SIGHT, VISIBLE],
+            &[SOURCE, SIGHT],
+            &[PORTAL, SPLIT, CELL],
+        ] {
+            for pair in areas.windows(2) {
+                let apart = lightness(pair[1]) - lightness(pair[0]);
+                assert!(apart > 8.0, "{pair:?}: {apart}");
+            }
+        }
+    }
+}

@@ -142,8 +142,8 @@ mod tests {
     #[test]
     fn numbers_are_short_and_have_no_negative_zero() {
         let shown: Vec<String> =
-            [0.0, -0.001, 1.5, 2.005, -3.14159, 12.3, 7.0, f64::NAN].map(number).into();
-        assert_eq!(shown, ["0", "0", "1.5", "2.01", "-3.14", "12.3", "7", "0"]);
+            [0.0, -0.001, 1.5, 2.005, -4.56789, 12.3, 7.0, f64::NAN].map(number).into();
+        assert_eq!(shown, ["0", "0", "1.5", "2.01", "-4.57", "12.3", "7", "0"]);
     }
 
     #[test]

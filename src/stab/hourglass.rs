@@ -31,6 +31,7 @@
 
 mod answer;
 pub(crate) mod chains;
+mod window;
 
 pub use answer::{End, EndTerm, PlaneVerdict, PlaneWitness};
 
@@ -174,7 +175,5 @@ fn is_left(end: u32) -> bool {
     end.is_multiple_of(2)
 }
 
-#[cfg(test)]
-mod chain_tests;
 #[cfg(test)]
 mod tests;

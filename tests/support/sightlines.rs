@@ -17,8 +17,8 @@ struct Hit {
 }
 
 /// Asserts that a line joins its two sectors: from where it leaves the one to where it enters the
-/// other it meets no wall, and the linedefs next to these places name the sectors. Linedefs with
-/// one sector on both sides name nothing.
+/// other it meets no wall, and linedefs next to these places name the sectors. A linedef with one
+/// sector on both sides may name an area of its own, or may be passed over.
 pub fn assert_joins(map: &DoomMap, doom: &DoomPlan, cells: &PlanCells, sight: &PlanSight) {
     let point = |point: &[Number; 2]| point.each_ref().map(Number::to_rational);
     let [from, to] = sight.line.each_ref().map(point);
@@ -34,15 +34,18 @@ pub fn assert_joins(map: &DoomMap, doom: &DoomPlan, cells: &PlanCells, sight: &P
     assert!(start <= end, "portals in order");
     let mut hits = hits(map, doom, &from, &to);
     hits.sort_by(|one, other| one.at.cmp(&other.at));
-    let bounds = |sides: &Hit| sides.behind != sides.ahead;
     for hit in hits.iter().filter(|hit| start <= hit.at && hit.at <= end) {
         assert!(hit.behind.is_some() && hit.ahead.is_some(), "no wall between: {sight:?}");
     }
-    // Just before a place, and just after it.
-    let before = hits.iter().filter(|hit| bounds(hit)).find(|hit| hit.at >= start);
-    let after = hits.iter().rev().filter(|hit| bounds(hit)).find(|hit| hit.at <= end);
-    assert_eq!(before.and_then(|hit| hit.behind), Some(sight.from), "{sight:?}");
-    assert_eq!(after.and_then(|hit| hit.ahead), Some(sight.to), "{sight:?}");
+    // The linedefs next to a place: the very next, and the next that bounds something.
+    let bounds = |hit: &&Hit| hit.behind != hit.ahead;
+    let before = || hits.iter().skip_while(|hit| hit.at < start);
+    let after = || hits.iter().rev().skip_while(|hit| hit.at > end);
+    let is_from = |hit: &Hit| hit.behind == Some(sight.from);
+    let is_to = |hit: &Hit| hit.ahead == Some(sight.to);
+    let starts = before().next().is_some_and(is_from) || before().find(bounds).is_some_and(is_from);
+    let ends = after().next().is_some_and(is_to) || after().find(bounds).is_some_and(is_to);
+    assert!(starts && ends, "the sectors at the ends: {sight:?}");
 }
 
 /// Every linedef that the line meets.

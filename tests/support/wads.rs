@@ -1,6 +1,6 @@
 //! Small Doom levels: their geometry by lines, and their bytes in each form.
 
-use stabline::formats::wad::{DoomMap, MapForm};
+use stabline::formats::wad::{DoomMap, MapForm, RejectTable};
 use stabline::num::{Int, Number};
 use stabline::portal::doom::DoomAreas;
 use stabline::portal::plan::{PlanCells, cells_of_plan};
@@ -207,4 +207,33 @@ pub fn freedoom() -> Option<[Vec<u8>; 2]> {
             None
         }
     }
+}
+
+/// Four rooms in a row, sectors 0 to 3, whose doors are low, high and low: the first and the last
+/// see each other's neighbours and not each other. The REJECT table lacks the pair of 0 and 2, and
+/// has that of 0 and 3.
+pub fn four_rooms() -> Level {
+    let mut level = Level::default();
+    let walls = [(0, [0, 0]), (128, [0, 16]), (256, [112, 128]), (384, [0, 16]), (512, [0, 0])];
+    for (room, pair) in walls.windows(2).enumerate() {
+        let (room, [(x0, west), (x1, east)]) = (room as u16, [pair[0], pair[1]]);
+        level.path(&[[x0, 128], [x1, 128]], room, None);
+        level.path(&[[x1, 0], [x0, 0]], room, None);
+        for (from, to) in [(0, west[0]), (west[1], 128)].into_iter().filter(|(y0, y1)| y0 < y1) {
+            level.path(&[[x0, from], [x0, to]], room, None);
+        }
+        for (from, to) in [(128, east[1]), (east[0], 0)].into_iter().filter(|(y0, y1)| y0 > y1) {
+            level.path(&[[x1, from], [x1, to]], room, None);
+        }
+        if room < 3 {
+            level.line([x1, east[1]], [x1, east[0]], Some(room), Some(room + 1));
+        }
+    }
+    let mut table = RejectTable::new(4);
+    for (from, to) in [(0, 2), (1, 3)] {
+        table.reject(from, to);
+        table.reject(to, from);
+    }
+    level.reject = Some(table.bytes().to_vec());
+    level
 }

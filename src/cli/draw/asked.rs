@@ -65,7 +65,7 @@ pub(super) enum Asked {
     Visibility { from: String },
     StabTree { from: String, is_alone: bool },
     Sectors { from: String },
-    Eye { eye: Eye, cull: Cull },
+    Eye { eye: Box<Eye>, cull: Cull },
 }
 
 impl Asked {
@@ -86,7 +86,8 @@ impl Asked {
             What::Sectors => Asked::Sectors { from: from()? },
             What::Eye => {
                 let eye = Eye::of(args)?.ok_or_else(|| lacks("--at"))?;
-                Asked::Eye { eye, cull: args.cull.unwrap_or(Cull::Exact) }
+                let cull = args.cull.unwrap_or(Cull::Exact);
+                Asked::Eye { eye: Box::new(eye), cull }
             }
         };
         let (takes_from, takes_eye) = match asked {

@@ -27,6 +27,9 @@ pub(super) fn run(
             "--grazing: the graph states no polygons of its cells; expected a floorplan",
         ));
     }
+    if sectors_asked(args, &planar).is_none() && planar.graph().cells.len() > MOST_CELLS {
+        return only_trees(args, input, &planar);
+    }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
     let wants = Wants { witnesses: wants_witnesses, grazing: args.grazing };
     let level = sectors_asked(args, &planar);
@@ -72,6 +75,28 @@ pub(super) fn run(
     if args.stats {
         summary::print_times(&clock);
     }
+    Ok(Exit::Done)
+}
+
+/// The most cells that are decided pair by pair: their table takes 2.1 GB, their matrix 1.1 GB.
+const MOST_CELLS: usize = 1 << 15;
+
+/// Writes the stab trees of a plan that has too many cells for a matrix.
+fn only_trees(args: &Args, input: &Input, planar: &Planar) -> Result<Exit, Failure> {
+    let needs_matrix = [&args.output, &args.npy, &args.objects].iter().any(|path| path.is_some());
+    let Some(output) = args.stab_tree.as_ref().filter(|_| !needs_matrix && !args.grazing) else {
+        return Err(Failure::file(
+            &input.name,
+            format!(
+                "{} cells, more than the {MOST_CELLS} that are decided pair by pair; --stab-tree \
+                 alone writes what each cell sees",
+                planar.graph().cells.len()
+            ),
+        ));
+    };
+    let trees = tree::of_plan(args, planar)?.ok_or(Failure::Interrupted)?;
+    let id = InputId::new(&input.file_name(), &input.bytes);
+    files::write(Some(output), |out| trees.write(out, &id))?;
     Ok(Exit::Done)
 }
 

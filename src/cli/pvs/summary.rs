@@ -131,8 +131,8 @@ pub(super) fn plan_summary(
         report.input.name,
         graph.portals.len(),
     );
-    if planar.level().is_some() {
-        text += &format!("sectors of {} leaves\n", graph.cells.len());
+    if let Some(level) = planar.level() {
+        text += &format!("{} sectors in {} leaves\n", level.sectors, graph.cells.len());
     }
     text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
     if report.grazing_classified {

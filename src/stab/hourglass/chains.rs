@@ -30,6 +30,7 @@
 //! It lies in an array; the one number that a push writes over is kept, and put back by the pop.
 //! Elsewhere a chain with a new end in its midst is written anew, behind the array.
 
+use super::window::{Undo, Window};
 use crate::num::Sign;
 use crate::predicates::{PlanPoints, compare_coordinates};
 use std::cmp::Ordering;
@@ -85,29 +86,10 @@ pub(super) type SidedEnd = (u32, Side);
 /// chains are the innermost left and right end.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chains {
-    chains: [Chain; 2],
+    chains: [Window; 2],
     /// The depth at which the cone was closed, and the end that did it.
     closed: Option<(u32, SidedEnd)>,
     undo: Vec<[Undo; 2]>,
-}
-
-/// A window of an array.
-#[derive(Clone, Debug, Default)]
-struct Chain {
-    array: Vec<u32>,
-    start: u32,
-    end: u32,
-}
-
-/// What a chain was before a push.
-#[derive(Clone, Copy, Debug)]
-struct Undo {
-    start: u32,
-    end: u32,
-    length: u32,
-    /// The place in the array that was written to, and what stood there.
-    slot: u32,
-    before: u32,
 }
 
 /// The ends of the list that are kept: from `first` on to `last`, inclusive, around.
@@ -133,49 +115,6 @@ enum Probe {
         good: usize,
         bad: usize,
     },
-}
-
-impl Chain {
-    #[inline]
-    fn len(&self) -> usize {
-        (self.end - self.start) as usize
-    }
-
-    fn ends(&self) -> &[u32] {
-        &self.array[self.start as usize..self.end as usize]
-    }
-
-    fn undo(&self) -> Undo {
-        let Chain { array, start, end } = self;
-        Undo { start: *start, end: *end, length: array.len() as u32, slot: u32::MAX, before: 0 }
-    }
-
-    fn restore(&mut self, undo: &Undo) {
-        self.array.truncate(undo.length as usize);
-        if undo.slot < undo.length {
-            self.array[undo.slot as usize] = undo.before;
-        }
-        (self.start, self.end) = (undo.start, undo.end);
-    }
-
-    /// Keeps `before` ends at the start and `after` at the end, with `new` in between.
-    fn insert(&mut self, before: usize, new: u32, after: usize, undo: &mut Undo) {
-        if after == 0 {
-            let slot = self.start + before as u32;
-            match self.array.get_mut(slot as usize) {
-                Some(place) => (undo.slot, undo.before) = (slot, std::mem::replace(place, new)),
-                None => self.array.push(new),
-            }
-            self.end = slot + 1;
-            return;
-        }
-        let (start, end) = (self.start as usize, self.end as usize);
-        self.start = self.array.len() as u32;
-        self.array.extend_from_within(start..start + before);
-        self.array.push(new);
-        self.array.extend_from_within(end - after..end);
-        self.end = self.array.len() as u32;
-    }
 }
 
 impl Chains {
@@ -205,7 +144,7 @@ impl Chains {
     /// O(log k) turns for k ends on the chains; where ends come in no order, O(k) copies more.
     pub fn push(&mut self, ends: &impl Ends, left: u32, right: u32, place: Place) -> bool {
         let mut undo = [self.chains[0].undo(), self.chains[1].undo()];
-        if undo[0].start == undo[0].end {
+        if self.chains[0].len() == 0 {
             self.chains[0].insert(0, left, 0, &mut undo[0]);
             self.chains[1].insert(0, right, 0, &mut undo[1]);
         } else if self.closed.is_none() {
@@ -247,11 +186,7 @@ impl Chains {
     pub(super) fn at(&self, i: usize) -> SidedEnd {
         let [left, right] = &self.chains;
         let i = if i >= self.len() { i - self.len() } else { i };
-        if i < left.len() {
-            (left.array[left.start as usize + i], Left)
-        } else {
-            (right.array[right.start as usize + i - left.len()], Right)
-        }
+        if i < left.len() { (left.at(i), Left) } else { (right.at(i - left.len()), Right) }
     }
 
     /// det(±a, ±b, ±c), each end as (x, y, 1) with the sign of its side, a and b by their places.
@@ -412,13 +347,8 @@ impl Chains {
         let before = within(own, last).map_or(0, |i| i + 1);
         let after = within(own, first).map_or(0, |i| self.chains[own].len() - i);
         let rest = &mut self.chains[other];
-        let start = rest.start;
-        if let Some(i) = within(other, last) {
-            rest.end = start + i as u32 + 1;
-        }
-        if let Some(i) = within(other, first) {
-            rest.start = start + i as u32;
-        }
+        let until = within(other, last).map_or(rest.len(), |i| i + 1);
+        rest.keep(within(other, first).unwrap_or(0)..until);
         self.chains[own].insert(before, end, after, &mut undo[own]);
     }
 }

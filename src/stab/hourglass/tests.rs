@@ -1,3 +1,5 @@
+mod chains;
+
 use super::*;
 use crate::num::{Int, Rational};
 use crate::oracle::{Family, PlaneTruth, Random, classify_2d, sequence_2d};

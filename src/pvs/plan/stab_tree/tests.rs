@@ -15,7 +15,7 @@ pub(in super::super) fn walls(random: &mut Random, round: usize) -> Vec<[[i64; 2
     let mut walls = Vec::new();
     while walls.len() < count as usize {
         let mut ends = [(); 2].map(|()| [(); 2].map(|()| random.between(0, size)));
-        if (round / 4) % 2 == 0 {
+        if (round / 4).is_multiple_of(2) {
             let axis = random.between(0, 1) as usize;
             ends[1][axis] = ends[0][axis];
         }

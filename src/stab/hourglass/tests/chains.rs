@@ -1,5 +1,5 @@
-use super::chains::Side::{Left, Right};
-use super::chains::{Chains, Cut, Ends, Place, Run, SidedEnd};
+use super::super::chains::Side::{Left, Right};
+use super::super::chains::{Chains, Cut, Place, Run, SidedEnd};
 use crate::num::{Int, Sign};
 use crate::oracle::{Family, Random, classify_2d, sequence_2d};
 use crate::predicates::{PlanPoint, PlanPoints};
