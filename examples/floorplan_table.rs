@@ -4,8 +4,8 @@
 //! 10000; other seeds are other buildings, whose great halls make the mean visibility differ. The
 //! plan is that of `stabline generate floorplan`, the subdivision the k-D tree of §2.3 without a
 //! threshold. Eyes are anywhere in the building with equal probability, as are the directions in
-//! which they look; 60 degrees are a half-tangent of 97/168, rounded outward (60.002 degrees). Areas
-//! are exact for each query, and means of them are shown in percent of the model's.
+//! which they look; 60 degrees are a half-tangent of 97/168, rounded outward (60.002 degrees).
+//! Areas are exact for each query, and means of them are shown in percent of the model's.
 
 use memory_stats::memory_stats;
 use num_traits::ToPrimitive;

@@ -1,9 +1,9 @@
 //! Subdivisions of a floorplan: a binary tree of lines, whose leaves are convex cells.
 //!
 //! There are two ways to choose the lines: that of the k-D tree for axial segments (Teller and
-//! Séquin 1991, §2.3; `kd`), and that of a BSP tree for segments of any direction (`choose`). Both yield
-//! a [`PlanTree`], so that point location, neighbours, portals and everything after them are the
-//! same. Segments that cross are split at the meet of their lines on the way, exactly.
+//! Séquin 1991, §2.3; `kd`), and that of a BSP tree for segments of any direction (`choose`). Both
+//! yield a [`PlanTree`], so that point location, neighbours, portals and everything after them are
+//! the same. Segments that cross are split at the meet of their lines on the way, exactly.
 //!
 //! Invariants: the leaves tile the box; no segment of the plan meets a leaf's inside, but those
 //! that a threshold left in it, which [`PlanTree::left_inside`] lists.

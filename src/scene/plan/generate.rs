@@ -3,12 +3,12 @@
 //! A building is a rectangle. Halls run through it from front to back, corridors between the
 //! halls; what is left are blocks, which walls divide into rooms, always the largest room first.
 //! Outer walls have windows and the walls along corridors have doors: gaps. A wall between two
-//! rooms has a door in the middle or, more often, ends a door's width short of the next wall. Of the
-//! largest rooms one in twelve stays undivided, as a great hall. Rooms meet in T-junctions, and walls
-//! of neighbouring rooms are seldom in line.
+//! rooms has a door in the middle or, more often, ends a door's width short of the next wall. Of
+//! rooms of the size of a hall one in three stays one. Rooms meet in T-junctions, and walls of
+//! neighbouring rooms are seldom in line.
 //!
-//! With 1000 faces the k-D tree has about 700 cells, and 15 to 18 vertices in the mean stab tree, as
-//! that of Teller and Séquin 1991, §5; great halls make the mean visibility what it is there.
+//! With 1000 faces the k-D tree has about 700 cells, and the mean stab tree about 16 vertices, as
+//! that of Teller and Séquin 1991, §5; the sizes above were chosen to this end.
 //!
 //! The general kind has screens that run obliquely into rooms, and the whole building is turned by
 //! the angle of the triangle with sides 3, 4 and 5, so that it stays on the grid of integers.

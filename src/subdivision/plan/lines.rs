@@ -8,8 +8,8 @@ use num_traits::{Signed, ToPrimitive};
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 
-/// Distinct lines, each directed: horizontal ones to greater x, all others to smaller y, so that the
-/// left side of an axial line is the one of greater coordinates (the high child of §2.3).
+/// Distinct lines, each directed: horizontal ones to greater x, all others to smaller y, so that
+/// the left side of an axial line is the one of greater coordinates (the high child of §2.3).
 #[derive(Clone, Debug, Default)]
 pub struct PlanLines {
     /// Two points of each, in its direction.

@@ -50,9 +50,9 @@ struct Room {
 const LEAST: i64 = 14;
 /// One wall between rooms in so many has its door in the middle.
 const MIDDLE: i64 = 8;
-/// One room in so many of those with a larger area than this stays as it is, as a great hall.
-const GREAT: i64 = 12;
-const GREAT_AREA: i64 = 16_000;
+/// One in so many of the rooms with such an area stays as it is, as a great hall.
+const GREAT: i64 = 3;
+const GREAT_AREA: std::ops::Range<i64> = 6_000..11_000;
 /// How often a place for a wall is drawn before a room stays undivided.
 const DRAWS: usize = 12;
 
@@ -130,7 +130,7 @@ impl Draft {
         let mut count: usize = self.walls.iter().map(Wall::faces).sum();
         while count < faces {
             let Some(room) = self.rooms.pop() else { return };
-            let is_great = room.area > GREAT_AREA && self.random.one_in(GREAT);
+            let is_great = GREAT_AREA.contains(&room.area) && self.random.one_in(GREAT);
             match (!is_great).then(|| self.place_of_wall(&room)).flatten() {
                 Some((dimension, at)) => {
                     let wall = self.wall_across(&room, dimension, at, faces - count > 1);
