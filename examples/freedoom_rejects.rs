@@ -82,7 +82,7 @@ fn row(archive: &Archive<'_>, name: &str) -> Result<Row, Box<dyn Error>> {
     let holes: Vec<PlanSight> = sights.iter().filter(is_hole).cloned().collect();
     // Sectors that share an area see each other there; all others by a line that is checked again.
     for sight in holes.iter().filter(|sight| !sight.portals.is_empty()) {
-        assert_joins(&map, &doom, &cells, sight);
+        assert_joins(&map, &doom, &cells, &areas.unclosed(), sight);
     }
     let kinds = areas.oddities.chunk_by(|one, other| one.kind() == other.kind());
     let kinds: Vec<String> =

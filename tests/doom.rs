@@ -258,7 +258,7 @@ proptest! {
         prop_assert_eq!(pairs, expected);
         // Where areas have one sector each, the linedefs beside a line name its sectors.
         if areas.sectors.iter().all(|sectors| sectors.len() <= 1) && missing.is_empty() {
-            sights.iter().for_each(|sight| assert_joins(&map, &doom, &cells, sight));
+            sights.iter().for_each(|sight| assert_joins(&map, &doom, &cells, &[], sight));
         }
     }
 }

@@ -62,6 +62,13 @@ impl DoomAreas {
         DoomAreas { of_leaf, sectors, oddities }
     }
 
+    /// The sectors that are not closed: parts of areas that are parts of others, or of the void.
+    pub fn unclosed(&self) -> Vec<u32> {
+        let oddities = self.oddities.iter();
+        let unclosed = oddities.filter(|oddity| matches!(oddity, DoomOddity::Unclosed { .. }));
+        unclosed.flat_map(DoomOddity::sectors).collect()
+    }
+
     /// The sectors that a leaf is a part of.
     ///
     /// # Panics

@@ -18,8 +18,15 @@ struct Hit {
 
 /// Asserts that a line joins its two sectors: from where it leaves the one to where it enters the
 /// other it meets no wall, and linedefs next to these places name the sectors. A linedef with one
-/// sector on both sides may name an area of its own, or may be passed over.
-pub fn assert_joins(map: &DoomMap, doom: &DoomPlan, cells: &PlanCells, sight: &PlanSight) {
+/// sector on both sides may name an area of its own, or may be passed over; of an area with several
+/// claims only one is named, so `unclosed` sectors are not asked for.
+pub fn assert_joins(
+    map: &DoomMap,
+    doom: &DoomPlan,
+    cells: &PlanCells,
+    unclosed: &[u32],
+    sight: &PlanSight,
+) {
     let point = |point: &[Number; 2]| point.each_ref().map(Number::to_rational);
     let [from, to] = sight.line.each_ref().map(point);
     let ends = |portal: u32| {
@@ -41,8 +48,9 @@ pub fn assert_joins(map: &DoomMap, doom: &DoomPlan, cells: &PlanCells, sight: &P
     let bounds = |hit: &&Hit| hit.behind != hit.ahead;
     let before = || hits.iter().skip_while(|hit| hit.at < start);
     let after = || hits.iter().rev().skip_while(|hit| hit.at > end);
-    let is_from = |hit: &Hit| hit.behind == Some(sight.from);
-    let is_to = |hit: &Hit| hit.ahead == Some(sight.to);
+    let is = |named: Option<u32>, sector: u32| named == Some(sector) || unclosed.contains(&sector);
+    let is_from = |hit: &Hit| is(hit.behind, sight.from);
+    let is_to = |hit: &Hit| is(hit.ahead, sight.to);
     let starts = before().next().is_some_and(is_from) || before().find(bounds).is_some_and(is_from);
     let ends = after().next().is_some_and(is_to) || after().find(bounds).is_some_and(is_to);
     assert!(starts && ends, "the sectors at the ends: {sight:?}");
