@@ -16,8 +16,8 @@ use std::path::PathBuf;
 /// Draw a floorplan, or what is seen in it, as an SVG
 ///
 /// INPUT is a floorplan or a graph of the plane (`stabline-scene/1`), a Doom level
-/// (`FILE.wad:MAP01`), or a sequence of segments (`stabline-sequence/1`). What a picture shows was decided exactly; its places are rounded to a
-/// hundredth of its unit.
+/// (`FILE.wad:MAP01`), or a sequence of segments (`stabline-sequence/1`). What a picture shows was
+/// decided exactly; its places are rounded to a hundredth of its unit.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// What is to be drawn

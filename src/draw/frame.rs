@@ -32,8 +32,9 @@ impl Frame {
             longer = Rational::from_integer(1.into());
         }
         let shares = extents.map(|extent| (extent / &longer).to_f64().unwrap_or(0.0));
-        // A side's share of zero sets no bound.
-        let scale = (room[0] / shares[0]).min(room[1] / shares[1]);
+        // A side's share of zero sets no bound; the share of the longer side is one.
+        let most = room[0].max(room[1]);
+        let scale = (room[0] / shares[0]).min(room[1] / shares[1]).min(most);
         let size = shares.map(|share| share * scale);
         let origin = [x + (room[0] - size[0]) / 2.0, y + size[1]];
         Frame { low, longer, scale, origin, size }

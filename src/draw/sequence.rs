@@ -22,10 +22,12 @@ pub enum SequenceLine {
 /// Draws segments, each with its left and its right end, in the order of the sequence; the hulls
 /// of all left and of all right ends, which a stabbing line parts; and the line.
 pub fn draw_sequence(
-    portals: &[[PlanPoint; 2]],
+    portals: &[[[Rational; 2]; 2]],
     line: &SequenceLine,
     options: &SheetOptions,
 ) -> String {
+    let portals: Vec<[PlanPoint; 2]> =
+        portals.iter().map(|ends| ends.each_ref().map(PlanPoint::from_coordinates)).collect();
     let unit = || [Rational::from_integer(0.into()), Rational::from_integer(1.into())];
     let bounds = box_around(portals.iter().flatten()).unwrap_or_else(|| [unit(), unit()]);
     let mut sheet = Sheet::new(widened(bounds), options);

@@ -10,8 +10,8 @@ use crate::subdivision::plan::{Branch, PlanTree};
 /// Up to so many splits are numbered.
 const NUMBERED: usize = 120;
 
-/// Draws each split as far as it divides a cell: the first ones widest, and numbered in the order of
-/// depth.
+/// Draws each split as far as it divides a cell: the first ones widest, and numbered in the order
+/// of depth.
 pub fn draw_splits(mut sheet: Sheet, floor: &Floor, tree: &PlanTree) -> String {
     let sizes = floor.sizes(&sheet);
     floor.draw_cells(&mut sheet, |_| palette::CELL);

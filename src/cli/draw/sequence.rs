@@ -7,7 +7,6 @@ use super::{Args, options};
 use crate::draw::{self, SequenceLine};
 use crate::formats::sequence::{SEQUENCE_FORMAT, SequenceFile, SequencePoints};
 use crate::num::Rational;
-use crate::predicates::PlanPoint;
 use crate::stab::hourglass::PlaneVerdict;
 
 /// Whether the text says that it is a sequence. Who reads it finds what else is wrong with it.
@@ -29,9 +28,9 @@ pub(super) fn draw(args: &Args, input: &Input) -> Result<String, Failure> {
             return Err(wrong(&"the sequence lies in space, and pictures in the plane"));
         }
     };
-    let ends: Vec<[PlanPoint; 2]> = portals
+    let ends: Vec<[[Rational; 2]; 2]> = portals
         .iter()
-        .map(|portal| portal.clone().map(|end| PlanPoint::integer(end.coordinates)))
+        .map(|portal| portal.clone().map(|end| end.coordinates.map(Rational::from)))
         .collect();
     let hourglass = hourglass(portals).map_err(|error| wrong(&error))?;
     let (line, about) = match hourglass.verdict() {

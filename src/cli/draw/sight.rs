@@ -10,7 +10,6 @@ use crate::draw::{self, EyeDrawing, Floor, Sheet, Sightline, TreeNode};
 use crate::eye::plan::{CellSight, EyePlan, ViewCone};
 use crate::num::Rational;
 use crate::portal::plan::PlanCells;
-use crate::predicates::PlanPoint;
 use crate::pvs::plan::{PlanStabTree, plan_stab_trees};
 use crate::report::{Silent, Verdict, WitnessLine};
 use crate::scene::CellId;
@@ -79,10 +78,9 @@ pub(super) fn draw_eye(
     eye: &Eye,
     cull: Cull,
 ) -> Result<String, Failure> {
-    let grid = Rational::from(plan.grid.clone());
-    let point = PlanPoint::from_coordinates(&eye.at.each_ref().map(|c| c * &grid));
     let prepared = EyePlan::new(plan, cells);
-    let place = prepared.place(point).map_err(|error| Failure::file(file, error))?;
+    let place =
+        prepared.place(prepared.grid_point(&eye.at)).map_err(|error| Failure::file(file, error))?;
     let tree = stab_tree(&cells.graph, place.cell())?;
     let view = prepared.view(&place, eye.cone.as_ref());
     let left = view.cull(cull.method(), CellSight::Tree(&tree.nodes));
