@@ -133,7 +133,7 @@ fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
                 }
                 let entry = &mut best[from as usize * matrix.size() + way.to.0 as usize];
                 if *entry != PlaneTruth::Open {
-                    *entry = truth.clone();
+                    *entry = truth;
                 }
                 let cells = cells.iter().copied().chain([way.to]).collect();
                 stack.push((cells, segments));

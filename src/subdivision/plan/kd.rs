@@ -194,13 +194,13 @@ impl AxialCell<'_> {
     fn min_cleaving(&self) -> Option<Abscissa> {
         let candidates = [0, 1].map(|d| self.candidates(d));
         let fewest = candidates.iter().filter_map(|(fewest, _)| *fewest).min()?;
-        let minimal = candidates.into_iter().filter(|(cleaved, _)| *cleaved == Some(fewest));
-        let nearest = minimal.flat_map(|(_, beside)| beside).flatten().min_by_key(|candidate| {
+        let minimal = candidates.iter().filter(|(cleaved, _)| *cleaved == Some(fewest));
+        let beside = minimal.flat_map(|(_, beside)| beside.iter().flatten().copied());
+        // Of equal distances the first one is taken.
+        beside.min_by_key(|candidate| {
             let d = candidate.dimension;
-            // Of equal distances the first one is taken.
             self.axial.distance(d, candidate.at, self.median(d))
-        });
-        nearest
+        })
     }
 
     /// The abscissa of the median face of a dimension that has any.

@@ -78,7 +78,7 @@ fn cleaving_cut(
     extents: [[i64; 2]; 2],
     threshold: i64,
 ) -> Option<(usize, i64)> {
-    let mut best: Option<((usize, i64, usize, i64), (usize, i64))> = None;
+    let mut best: Option<Rated> = None;
     for dimension in [0, 1] {
         let all = abscissae(inside, dimension);
         let [low, high] = extents[1 - dimension];
@@ -99,3 +99,6 @@ fn cleaving_cut(
     }
     best.map(|(_, cut)| cut)
 }
+
+/// How good a split is (least first), and its dimension and abscissa.
+type Rated = ((usize, i64, usize, i64), (usize, i64));
