@@ -135,7 +135,7 @@ fn check_sides(cells: &PlanCells, portal: &PlanPortal, [left, right]: &[Point; 2
 fn portals_and_neighbours_are_what_pairs_of_leaves_share() {
     let kd = PlanMethod::Kd { threshold: Rational::default() };
     let mut portals = 0;
-    for seed in 0..40 {
+    for seed in 0..60 {
         let random = &mut Random::new(seed);
         let reach = [3, 6, 12][seed as usize % 3];
         let is_axial = seed % 2 == 0;

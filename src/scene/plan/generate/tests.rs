@@ -33,11 +33,13 @@ fn a_plan_is_a_function_of_its_options() {
 fn general_plans_have_walls_of_many_directions() {
     assert!(made(1000, 1, false).iter().all(is_axial));
     let general = made(1000, 1, true);
-    assert!(!general.iter().any(is_axial));
     let turned = |[p, q]: &[[i64; 2]; 2]| {
         let [x, y] = [q[0] - p[0], q[1] - p[1]];
         4 * x + 3 * y == 0 || 3 * x == 4 * y
     };
+    // A screen may run along an axis by chance; a wall may not, once the whole is turned.
+    assert!(!general.iter().any(|ends| is_axial(ends) && turned(ends)));
+    assert!(general.iter().filter(|ends| is_axial(ends)).count() < 20);
     let oblique = general.iter().filter(|ends| !turned(ends)).count();
     assert!((150..=200).contains(&oblique), "{oblique}");
 }
