@@ -148,7 +148,11 @@ fn what_is_wrong_is_told_and_nothing_is_written() {
         (vec!["pvs", "none.wad:E1M1"], 3, "none.wad: cannot read"),
         (vec!["pvs", "rooms.prt:E1M1"], 3, "not an archive of Doom, so it has no map E1M1"),
         (vec!["pvs", "cut.wad:MAP01"], 3, "byte 4: a directory of "),
-        (vec!["bsp", "rooms.wad:MAP01"], 3, "the scene lies in the plane"),
+        (
+            vec!["move", "rooms.wad:MAP01", "--from", "0,0,0", "--to", "1,0,0"],
+            3,
+            "a floorplan, expected a world of three dimensions",
+        ),
         (vec!["pvs", "rooms.prt", "--reject", "out.lmp"], 2, "--reject and --cells are of Doom"),
         (
             vec!["pvs", "rooms.wad:MAP01", "--cells", "subsectors", "--reject", "out.lmp"],

@@ -1,4 +1,5 @@
-//! Every floorplan of `scenes/plan` against its snapshot: cells, verdicts, lines; and what `why` says.
+//! Every floorplan of `scenes/plan` against its snapshot: cells, verdicts, lines; and what `why`
+//! says.
 
 mod support;
 
@@ -109,6 +110,6 @@ fn bad_plans_are_refused_with_their_place() {
     assert_fails(
         &stabline(root(), &["move", shown, "--from", "0,0,0", "--to", "1,1,1"]),
         3,
-        "plane",
+        "a floorplan",
     );
 }

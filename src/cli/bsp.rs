@@ -22,7 +22,8 @@ use std::path::{Path, PathBuf};
 /// Divide the space around geometry into convex cells and the portals between them
 ///
 /// INPUT is a level's source (`.map`), a JSON scene with geometry, polygons (`.obj`, `.gltf`,
-/// `.glb`), a floorplan in JSON, or a Doom level (`FILE.wad:MAP01`). A world that leaks ends with code 3; `--pts` keeps the way out.
+/// `.glb`), a floorplan in JSON, or a Doom level (`FILE.wad:MAP01`). A world
+/// that leaks ends with code 3; `--pts` keeps the way out.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The geometry
@@ -34,8 +35,8 @@ pub(super) struct Args {
     /// decimal or a longer one; the largest displacement is printed
     #[arg(long, value_name = "DECIMALS", requires = "prt", value_parser = clap::value_parser!(u32).range(0..=18))]
     snap: Option<u32>,
-    /// Write the cells as polyhedra, and the portals (`stabline-cells/1`; of a floorplan as polygons,
-    /// `stabline-plan/1`)
+    /// Write the cells as polyhedra, and the portals (`stabline-cells/1`; of a floorplan as
+    /// polygons, `stabline-plan/1`)
     #[arg(long, value_name = "OUT.json")]
     cells: Option<PathBuf>,
     /// Where the level leaks, write the way from an entity to the outside as a line of points

@@ -40,6 +40,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         body: args.body.as_deref().map(corners).transpose()?,
     };
     let input = Input::read(&args.input)?;
+    if super::plan::is_plan(&input) {
+        return Err(Failure::file(
+            &input.name,
+            "a floorplan, expected a world of three dimensions",
+        ));
+    }
     if !world::is_world(&input) {
         let what = "a portal graph has no walls to meet, expected a world (`.map`)";
         return Err(Failure::file(&input.name, what));

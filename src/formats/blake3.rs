@@ -3,8 +3,9 @@
 //! BLAKE3 (O'Connor, Aumasson, Neves, Wilcox-O'Hearn 2020, section 2) cuts its input into chunks of
 //! 1024 bytes. A chunk is 16 blocks, compressed one after the other; the chunks' values are the
 //! leaves of a binary tree whose left subtrees are the largest complete ones, and the root's value
-//! is the hash. This is the plain hash with 32 bytes of output, portable. It is written out because the published crate's build script
-//! calls a C compiler even where it is told to use none of its output; a test compares the two.
+//! is the hash. This is the plain hash with 32 bytes of output, portable. It is written out because
+//! the published crate's build script calls a C compiler even where it is told to use none of its
+//! output; a test compares the two.
 //!
 //! Complexity: linear in the bytes, and one value of 32 bytes a level of the tree.
 

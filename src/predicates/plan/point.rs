@@ -179,7 +179,7 @@ fn quotient(p: &Int, q: &Int) -> f64 {
 ///
 /// Requires: nothing.
 ///
-/// Contract: exact, degree 3 in x, y, w (8 in the ends of walls where all three are meets), unperturbed
+/// Contract: exact, degree 3 in x, y, w (8 in the ends of walls where all are meets), unperturbed
 ///
 /// Source: as `orient2d`, in homogeneous coordinates.
 pub fn turn_of_points(a: &PlanPoint, b: &PlanPoint, c: &PlanPoint) -> Sign {

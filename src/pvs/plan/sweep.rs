@@ -114,8 +114,8 @@ impl<'a> Sweep<'a> {
             .map(|()| firsts)
     }
 
-    /// The pairs that a vertex is the first of and that are wanted, with their lines, in the order of
-    /// the turn.
+    /// The pairs that a vertex is the first of and that are wanted, with their lines, in the order
+    /// of the turn.
     fn sights(
         &self,
         line: &mut TurningLine,
