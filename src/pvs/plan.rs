@@ -4,8 +4,8 @@
 //! it then passes through a vertex that stops it, the end of something opaque between the two, or a
 //! corner of one of them; and the lines beside it, on one side of the vertex, join them still. So
 //! every open pair is met by a line through a vertex, moved a little to one side, in some
-//! direction between two neighbouring events. [`view`] finds those directions and the cells along
-//! them for one vertex, [`sweep`] visits all vertices.
+//! direction between two neighbouring events. `view` finds those directions and the cells along
+//! them for one vertex, `sweep` visits all vertices.
 //!
 //! This takes the place of a search of portal sequences, whose number has no useful bound (Teller
 //! and Séquin 1991, §3.4): what is visited here is the views of the vertices, the complexity of the
