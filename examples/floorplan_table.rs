@@ -20,14 +20,15 @@ use stabline::scene::plan::{FloorplanOptions, Plan, generate_floorplan};
 use stabline::subdivision::plan::{PlanMethod, divide};
 use std::time::Instant;
 
-/// The paper's percentages: all around, and within 60 degrees.
-const PAPER: [(&str, [f64; 2]); 6] = [
-    ("none (cell-to-cell vis.)", [8.1, 8.1]),
-    ("disjoint cell", [8.1, 3.1]),
-    ("connected component", [8.1, 2.4]),
-    ("incident portals", [8.1, 2.2]),
-    ("exact eye-to-cell", [4.9, 1.8]),
-    ("exact visible area", [2.1, 0.3]),
+/// The paper's percentages and its reduction factors, which it rounds: all around, and within 60
+/// degrees.
+const PAPER: [(&str, [(f64, u32); 2]); 6] = [
+    ("none (cell-to-cell vis.)", [(8.1, 10), (8.1, 10)]),
+    ("disjoint cell", [(8.1, 10), (3.1, 30)]),
+    ("connected component", [(8.1, 10), (2.4, 40)]),
+    ("incident portals", [(8.1, 10), (2.2, 40)]),
+    ("exact eye-to-cell", [(4.9, 20), (1.8, 50)]),
+    ("exact visible area", [(2.1, 50), (0.3, 300)]),
 ];
 
 /// Places in the building lie on a grid so fine, and directions are vectors about so long.
@@ -79,8 +80,11 @@ fn main() {
     println!("                                   360 degrees                60 degrees");
     println!("culling method                paper        here         paper        here");
     for ((name, paper), mean) in PAPER.iter().zip(mean) {
-        let shown = |p: f64| format!("{p:>4.1}% {:>4.0}x", 100.0 / p);
-        let [all, cone] = [0, 1].map(|i| format!("{}  {}", shown(paper[i]), shown(mean[i])));
+        let shown = |percent: f64, factor: f64| format!("{percent:>4.1}% {factor:>4.0}x");
+        let [all, cone] = [0, 1].map(|i| {
+            let (percent, factor) = paper[i];
+            format!("{}  {}", shown(percent, factor.into()), shown(mean[i], 100.0 / mean[i]))
+        });
         println!("{name:<26}{all}   {cone}");
     }
     println!("\n{:.1} microseconds a row and query", asked * 1e6 / (12 * queries) as f64);

@@ -42,7 +42,7 @@ pub(super) fn run(
     };
     let report = PvsReport {
         program: PvsReport::this_program(),
-        input: InputId::new(&input.file_name(), &input.bytes),
+        input: identified(args, input),
         reading: reading(args),
         grazing_classified: args.grazing,
         leaf_to_cell: (0..cells.len() as u32).collect(),
@@ -98,6 +98,16 @@ fn only_trees(args: &Args, input: &Input, planar: &Planar) -> Result<Exit, Failu
     let id = InputId::new(&input.file_name(), &input.bytes);
     trees.write_to(output, &id, args.stats)?;
     Ok(Exit::Done)
+}
+
+/// What identifies the input; its hash only where something that is written states it, since an
+/// archive is large and a level of it small.
+fn identified(args: &Args, input: &Input) -> InputId {
+    let stated = [&args.output, &args.stab_tree, &args.objects].iter().any(|path| path.is_some());
+    match stated || args.json {
+        true => InputId::new(&input.file_name(), &input.bytes),
+        false => InputId { name: input.file_name(), blake3: String::new() },
+    }
 }
 
 /// The Doom level whose sectors are asked about, if they are.
