@@ -86,8 +86,14 @@ fn what_a_shipped_table_lacks_is_seen_along_a_line_that_meets_no_wall() {
         let table = RejectTable::read(map.reject.as_ref().unwrap(), map.sectors).unwrap();
         let rejects = |from: u32, to: u32| table.rejects(from as usize, to as usize);
         let crossings = cells.graph.crossings();
+        let wants = |g: u32, h: u32| {
+            let (from, to) = (cover.sets_of(g), cover.sets_of(h));
+            from.iter().any(|&from| to.iter().any(|&to| rejects(from, to)))
+        };
         let groups = cover.groups();
-        let (_, sights) = plan_sights(&cells.graph, &crossings, groups, &rejects, &Silent).unwrap();
+        let (_, sights) = plan_sights(&cells.graph, &crossings, groups, &wants, &Silent).unwrap();
+        let mut sights = cover.sights(&cells.graph, sights);
+        sights.retain(|sight| rejects(sight.from, sight.to));
         for sight in sights.iter().filter(|sight| !sight.portals.is_empty()) {
             assert_joins(&map, &doom, &cells, &areas.unclosed(), sight);
         }
