@@ -37,33 +37,18 @@ pub(super) fn summary(
     finished: &Finished,
     args: &Args,
 ) -> String {
-    let counts = report.matrix.counts();
     let order = CellOrder::new(graph);
     let cells = graph.cells.len() as u64;
     if args.json {
-        let mut value = serde_json::json!({
-            "format": "stabline-pvs-summary/1",
-            "input": {"name": report.input.name, "blake3": report.input.blake3},
-            "reading": report.reading,
-            "cells": cells,
-            "portals": graph.portals.len(),
-            "skew_portals": graph.skew_portals,
-            "nonconvex_cells": order.nonconvex_cells,
-            "counts": {
-                "open": counts.open,
-                "not_open": counts.not_open,
-                "grazing": report.grazing_classified.then_some(counts.grazing),
-                "undecided": counts.undecided,
-                "diagonal_included": true,
-            },
-            "not_open_by_bound": 2 * finished.settled_by_bound,
-        });
+        let shape =
+            [graph.portals.len(), graph.skew_portals as usize, order.nonconvex_cells as usize];
+        let mut value = common_json(report, shape);
+        value["not_open_by_bound"] = (2 * finished.settled_by_bound).into();
         if let Some(objects) = objects {
             value["objects"] = serde_json::json!(objects.counts());
         }
         return format!("{value:#}\n");
     }
-    let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
     let mut text = format!(
         "{}: {cells} cells, {} portals ({} of the input not planar), {} cells not exactly convex\n",
         report.input.name,
@@ -71,18 +56,7 @@ pub(super) fn summary(
         graph.skew_portals,
         order.nonconvex_cells,
     );
-    text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
-    if report.grazing_classified {
-        text += &format!("grazing    {:>10}  {:5.1} %\n", counts.grazing, percent(counts.grazing));
-    }
-    let rest = if report.grazing_classified { "blocked " } else { "not open" };
-    text += &format!("{rest}   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
-    if counts.undecided > 0 {
-        let (undecided, share) = (counts.undecided, percent(counts.undecided));
-        text += &format!("undecided  {undecided:>10}  {share:5.1} %\n");
-    }
-    text += "ordered pairs of cells, each cell with itself included; every open pair has an exact \
-             sightline\n";
+    text += &verdicts(report);
     if args.world.division.is_conservative() {
         text += "portals are hulls that may run across occluders: open pairs are an upper bound\n";
     }
@@ -97,25 +71,9 @@ pub(super) fn plan_summary(
     as_json: bool,
 ) -> String {
     let graph = planar.graph();
-    let counts = report.matrix.counts();
     let cells = report.cells.len() as u64;
     if as_json {
-        let mut value = serde_json::json!({
-            "format": "stabline-pvs-summary/1",
-            "input": {"name": report.input.name, "blake3": report.input.blake3},
-            "reading": report.reading,
-            "cells": cells,
-            "portals": graph.portals.len(),
-            "skew_portals": 0,
-            "nonconvex_cells": 0,
-            "counts": {
-                "open": counts.open,
-                "not_open": counts.not_open,
-                "grazing": report.grazing_classified.then_some(counts.grazing),
-                "undecided": counts.undecided,
-                "diagonal_included": true,
-            },
-        });
+        let mut value = common_json(report, [graph.portals.len(), 0, 0]);
         if let Some(level) = planar.level() {
             value["leaves"] = graph.cells.len().into();
             value["oddities"] = level.oddities_as_json();
@@ -125,7 +83,6 @@ pub(super) fn plan_summary(
         }
         return format!("{value:#}\n");
     }
-    let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
     let mut text = format!(
         "{}: {cells} cells, {} portals, in the plane\n",
         report.input.name,
@@ -134,15 +91,52 @@ pub(super) fn plan_summary(
     if let Some(level) = planar.level() {
         text += &format!("{} sectors in {} leaves\n", level.sectors, graph.cells.len());
     }
-    text += &format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
+    text += &verdicts(report);
+    text + &objects.map(super::objects::summary).unwrap_or_default()
+}
+
+/// What every summary states, with the counts of portals, of those that are not planar, and of
+/// cells that are not exactly convex.
+fn common_json(
+    report: &PvsReport,
+    [portals, skew_portals, nonconvex_cells]: [usize; 3],
+) -> serde_json::Value {
+    let counts = report.matrix.counts();
+    serde_json::json!({
+        "format": "stabline-pvs-summary/1",
+        "input": {"name": report.input.name, "blake3": report.input.blake3},
+        "reading": report.reading,
+        "cells": report.cells.len(),
+        "portals": portals,
+        "skew_portals": skew_portals,
+        "nonconvex_cells": nonconvex_cells,
+        "counts": {
+            "open": counts.open,
+            "not_open": counts.not_open,
+            "grazing": report.grazing_classified.then_some(counts.grazing),
+            "undecided": counts.undecided,
+            "diagonal_included": true,
+        },
+    })
+}
+
+/// How many pairs have each verdict, one a line.
+fn verdicts(report: &PvsReport) -> String {
+    let counts = report.matrix.counts();
+    let cells = report.cells.len() as u64;
+    let percent = |count: u64| 100.0 * count as f64 / (cells * cells).max(1) as f64;
+    let mut text = format!("open       {:>10}  {:5.1} %\n", counts.open, percent(counts.open));
     if report.grazing_classified {
         text += &format!("grazing    {:>10}  {:5.1} %\n", counts.grazing, percent(counts.grazing));
     }
     let rest = if report.grazing_classified { "blocked " } else { "not open" };
     text += &format!("{rest}   {:>10}  {:5.1} %\n", counts.not_open, percent(counts.not_open));
-    text += "ordered pairs of cells, each cell with itself included; every open pair has an exact \
-             sightline\n";
-    text + &objects.map(super::objects::summary).unwrap_or_default()
+    if counts.undecided > 0 {
+        let (undecided, share) = (counts.undecided, percent(counts.undecided));
+        text += &format!("undecided  {undecided:>10}  {share:5.1} %\n");
+    }
+    text + "ordered pairs of cells, each cell with itself included; every open pair has an exact \
+            sightline\n"
 }
 
 /// Prints to standard error.

@@ -108,6 +108,39 @@ impl PlanPoints {
         turn_exact(self.get(a), self.get(b), self.get(c))
     }
 
+    /// Whether a point lies above a vertex, or on its level and to the right: half a turn, in which
+    /// each line through the vertex has one direction.
+    ///
+    /// Contract: exact, degree 2 in x, y, w, unperturbed
+    pub fn is_upper(&self, vertex: u32, point: u32) -> bool {
+        let [v, p] = [vertex, point].map(|number| self.get(number));
+        match compare_coordinates(1, v, p) {
+            Ordering::Less => true,
+            Ordering::Equal => compare_coordinates(0, v, p) == Ordering::Less,
+            Ordering::Greater => false,
+        }
+    }
+
+    /// The order of the lines through a vertex and two points, each with whether it
+    /// [is upper](PlanPoints::is_upper), by their directions in the upper half turn; equal where
+    /// they are one line.
+    ///
+    /// Contract: exact, degree 3 in x, y, w, unperturbed
+    pub fn compare_lines(
+        &self,
+        vertex: u32,
+        (p, p_is_upper): (u32, bool),
+        (q, q_is_upper): (u32, bool),
+    ) -> Ordering {
+        let turn = self.turn(vertex, p, q);
+        match if p_is_upper == q_is_upper { turn } else { -turn } {
+            Sign::Positive => Ordering::Less,
+            // One line through both.
+            Sign::Zero => Ordering::Equal,
+            Sign::Negative => Ordering::Greater,
+        }
+    }
+
     /// The order of `v` and `w` along the directed line from `p` to `q`.
     ///
     /// Requires: `p` and `q` are distinct.

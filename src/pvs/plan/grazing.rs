@@ -18,7 +18,6 @@ use crate::scene::CellId;
 use crate::scene::plan::{Crossings, PlanGraph};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
-use std::cmp::Ordering;
 
 /// Makes pairs of groups grazing that are not open in `matrix`, where they are. `None` if
 /// interrupted.
@@ -74,28 +73,10 @@ impl Touching<'_> {
     /// One end for each line through `end` and one of the others.
     fn directions(&self, end: u32, others: &[u32]) -> Vec<u32> {
         let points = &self.graph.points;
-        // Below the end as above it, and on its level to the right: half a turn, in which turns
-        // order lines.
-        let is_upper = |p: u32| {
-            let [v, p] = [end, p].map(|number| points.get(number));
-            match crate::predicates::compare_coordinates(1, v, p) {
-                Ordering::Less => true,
-                Ordering::Equal => crate::predicates::compare_coordinates(0, v, p).is_lt(),
-                Ordering::Greater => false,
-            }
-        };
-        let mut all: Vec<(u32, bool)> = others.iter().map(|&p| (p, is_upper(p))).collect();
-        let turn = |&(p, p_up): &(u32, bool), &(q, q_up): &(u32, bool)| {
-            let turn = points.turn(end, p, q);
-            if p_up == q_up { turn } else { -turn }
-        };
-        all.sort_by(|p, q| match turn(p, q) {
-            Sign::Positive => Ordering::Less,
-            // One line.
-            Sign::Zero => Ordering::Equal,
-            Sign::Negative => Ordering::Greater,
-        });
-        all.dedup_by(|p, q| turn(p, q) == Sign::Zero);
+        let mut all: Vec<(u32, bool)> =
+            others.iter().map(|&point| (point, points.is_upper(end, point))).collect();
+        all.sort_by(|p, q| points.compare_lines(end, *p, *q));
+        all.dedup_by(|p, q| points.compare_lines(end, *p, *q).is_eq());
         all.into_iter().map(|(point, _)| point).collect()
     }
 

@@ -14,8 +14,6 @@
 use super::around::Wedge;
 use super::groups::Groups;
 use super::view::View;
-use crate::num::Sign;
-use crate::predicates::compare_coordinates;
 use crate::scene::CellId;
 use crate::scene::plan::{Crossing, Crossings, PlanGraph};
 use std::cmp::Ordering;
@@ -135,17 +133,9 @@ impl<'a> TurningLine<'a> {
             .collect();
         ends.dedup();
         for (point, is_upper) in &mut ends {
-            *is_upper = self.is_upper(vertex, *point);
+            *is_upper = points.is_upper(vertex, *point);
         }
-        let order = |&(p, p_up): &(u32, bool), &(q, q_up): &(u32, bool)| {
-            let turn = points.turn(vertex, p, q);
-            match if p_up == q_up { turn } else { -turn } {
-                Sign::Positive => Ordering::Less,
-                // One line through both.
-                Sign::Zero => Ordering::Equal,
-                Sign::Negative => Ordering::Greater,
-            }
-        };
+        let order = |p: &(u32, bool), q: &(u32, bool)| points.compare_lines(vertex, *p, *q);
         ends.sort_by(order);
         let mut rank = 0;
         for i in 0..ends.len() {
@@ -157,16 +147,6 @@ impl<'a> TurningLine<'a> {
         if ends.is_empty() { 0 } else { rank as usize + 1 }
     }
 
-    /// Whether a point lies above a vertex, or on its level and to the right.
-    fn is_upper(&self, vertex: u32, point: u32) -> bool {
-        let [v, p] = [vertex, point].map(|number| self.graph.points.get(number));
-        match compare_coordinates(1, v, p) {
-            Ordering::Less => true,
-            Ordering::Equal => compare_coordinates(0, v, p) == Ordering::Less,
-            Ordering::Greater => false,
-        }
-    }
-
     /// Tells for each range of directions which leaf is seen in it, and which in the opposite one.
     /// Range i lies between rank i and the next; the last reaches over to rank 0 in the other half.
     fn spread(&mut self, vertex: u32, count: usize) {
@@ -175,7 +155,7 @@ impl<'a> TurningLine<'a> {
             half.resize(count, NONE);
         }
         for (number, leaf) in self.view.leaves.iter().enumerate() {
-            let mut half = usize::from(!self.is_upper(vertex, leaf.from));
+            let mut half = usize::from(!self.graph.points.is_upper(vertex, leaf.from));
             let [mut range, end] = [leaf.from, leaf.to].map(|p| self.ranks[p as usize] as usize);
             while range != end {
                 self.leaves[half][range] = number as u32;
