@@ -21,10 +21,12 @@ mod meshes;
 mod motion;
 mod numbers;
 mod plan;
+mod program;
 mod progress;
 mod pvs;
 mod schema;
 mod stab;
+mod stress;
 mod transversals;
 mod why;
 mod world;
@@ -60,6 +62,7 @@ enum Command {
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
+    Stress(stress::Args),
     Transversals(transversals::Args),
     Why(why::Args),
 }
@@ -78,6 +81,7 @@ impl Command {
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
+            Command::Stress(args) => stress::run(args),
             Command::Transversals(args) => transversals::run(args),
             Command::Why(args) => why::run(args),
         }

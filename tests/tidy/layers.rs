@@ -22,6 +22,10 @@ pub const LAYERS: &[(&str, &[&str])] = &[
         &["num", "geom", "predicates", "construct", "scene", "subdivision", "portal", "report"],
     ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
+    (
+        "forge",
+        &["num", "geom", "formats", "stab", "scene", "subdivision", "portal", "report", "pvs"],
+    ),
     ("audit", &["num", "geom", "scene", "report"]),
     ("draw", &["num", "predicates", "scene", "subdivision", "portal"]),
     ("oracle", &["num", "geom"]),
@@ -43,6 +47,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "motion",
             "audit",
             "draw",
+            "forge",
         ],
     ),
 ];
