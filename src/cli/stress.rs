@@ -104,7 +104,12 @@ fn made(args: &Args, family: &Family, settings: &Settings, number: u32) -> (Inpu
 fn listed() -> String {
     let mut text = String::new();
     for family in FAMILIES {
-        text.push_str(&format!("{}\n    {}\n", family.name, family.purpose));
+        text.push_str(&format!(
+            "{} ({})\n    {}\n",
+            family.name,
+            family.kind.name(),
+            family.purpose
+        ));
         for Parameter { name, purpose, default, range: [low, high] } in family.parameters {
             text.push_str(&format!("    {name}={default} ({low} to {high}): {purpose}\n"));
         }

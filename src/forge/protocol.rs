@@ -19,6 +19,19 @@ pub enum Kind {
     Eye,
 }
 
+impl Kind {
+    /// Its name in a case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Sequence => "sequence",
+            Kind::Transversals => "transversals",
+            Kind::Graph => "graph",
+            Kind::Scene => "scene",
+            Kind::Eye => "eye",
+        }
+    }
+}
+
 /// The three verdicts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

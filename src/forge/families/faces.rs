@@ -2,6 +2,7 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
+use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, across, add, cross, lay_out, one_of, polygons, scale, sub, vector,
 };
@@ -16,6 +17,7 @@ const SPREAD: Parameter = Parameter {
 
 pub(super) const COPLANAR: Family = Family {
     name: "coplanar",
+    kind: Kind::Sequence,
     purpose: "portals in one plane, overlapping, side by side, or one over the other, crossed the \
               same way or against each other",
     parameters: &[PORTALS, SPREAD],
@@ -24,6 +26,7 @@ pub(super) const COPLANAR: Family = Family {
 
 pub(super) const COLLINEAR: Family = Family {
     name: "collinear",
+    kind: Kind::Sequence,
     purpose: "vertices in the middle of straight sides, and edges of several portals on one line",
     parameters: &[PORTALS, SPREAD],
     make: collinear,
@@ -31,6 +34,7 @@ pub(super) const COLLINEAR: Family = Family {
 
 pub(super) const SHARED: Family = Family {
     name: "shared",
+    kind: Kind::Sequence,
     purpose: "portals that share a vertex, or a whole edge, with the one before",
     parameters: &[PORTALS, SPREAD],
     make: shared,
@@ -38,6 +42,7 @@ pub(super) const SHARED: Family = Family {
 
 pub(super) const TOUCH: Family = Family {
     name: "touch",
+    kind: Kind::Sequence,
     purpose: "portals that touch in a point: a vertex on an edge or in the inside of another \
               (T-junctions), or edges that cross",
     parameters: &[PORTALS, SPREAD],
@@ -46,6 +51,7 @@ pub(super) const TOUCH: Family = Family {
 
 pub(super) const DUPLICATE: Family = Family {
     name: "duplicate",
+    kind: Kind::Sequence,
     purpose: "exact duplicates of portals, some turned around, some starting at another vertex",
     parameters: &[PORTALS, SPREAD],
     make: duplicate,

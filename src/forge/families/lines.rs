@@ -3,6 +3,7 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
+use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, add, cross, dot, lay_out, one_of, polygons, scale, sub, vector,
 };
@@ -10,6 +11,7 @@ use crate::num::Random;
 
 pub(super) const PENCIL: Family = Family {
     name: "pencil",
+    kind: Kind::Sequence,
     purpose: "portals whose planes, or edges, or vertices all meet one line",
     parameters: &[PORTALS],
     make: pencil,
@@ -17,6 +19,7 @@ pub(super) const PENCIL: Family = Family {
 
 pub(super) const REGULUS: Family = Family {
     name: "regulus",
+    kind: Kind::Sequence,
     purpose: "portals with an edge each on lines of one ruling of z = xy, or a unit beside them: \
               the lines of the other ruling touch all of them",
     parameters: &[PORTALS, NEAR],
@@ -39,6 +42,7 @@ const REACH: Parameter = Parameter {
 
 pub(super) const TRANSVERSALS: Family = Family {
     name: "transversals",
+    kind: Kind::Transversals,
     purpose: "four lines that are concurrent, coplanar, parallel, equal, of one regulus, tangent to \
               the quadric of the other three, or near to any of these",
     parameters: &[REACH],

@@ -1,12 +1,16 @@
 //! The table of families.
 
 mod faces;
+mod graphs;
 mod lines;
+mod places;
 mod plane;
 mod rooms;
+mod scenes;
 mod thin;
 
 use super::input::Input;
+use super::protocol::Kind;
 use crate::num::Random;
 
 /// A way of being degenerate.
@@ -14,6 +18,8 @@ use crate::num::Random;
 pub struct Family {
     /// Its name.
     pub name: &'static str,
+    /// The kind of its cases.
+    pub kind: Kind,
     /// What it is for.
     pub purpose: &'static str,
     /// What may be set.
@@ -94,9 +100,18 @@ pub const FAMILIES: &[Family] = &[
     thin::SLIT,
     lines::PENCIL,
     lines::REGULUS,
+    places::PARALLEL,
+    places::MAGNITUDE,
+    places::NEAR,
     plane::GATES,
     lines::TRANSVERSALS,
+    graphs::ROW,
+    graphs::WILD,
+    graphs::FLOOR,
     rooms::ROOMS,
+    scenes::WALLS,
+    scenes::BLOCKS,
+    scenes::PLAN,
 ];
 
 impl Family {
@@ -105,13 +120,18 @@ impl Family {
         FAMILIES.iter().find(|family| family.name == name)
     }
 
+    /// The parameters' values if nothing is said.
+    pub fn defaults(&self) -> Settings {
+        let value = |parameter: &Parameter| (parameter.name, parameter.default);
+        Settings { values: self.parameters.iter().map(value).collect() }
+    }
+
     /// The parameters' values, those given and the defaults of the others.
     ///
     /// # Errors
     /// [`SettingsError`].
     pub fn settings(&self, given: &[(String, i64)]) -> Result<Settings, SettingsError> {
-        let mut values: Vec<(&'static str, i64)> =
-            self.parameters.iter().map(|parameter| (parameter.name, parameter.default)).collect();
+        let mut values = self.defaults().values;
         for (name, got) in given {
             let Some(index) = self.parameters.iter().position(|p| p.name == name) else {
                 let known: Vec<&str> = self.parameters.iter().map(|p| p.name).collect();

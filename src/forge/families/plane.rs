@@ -2,11 +2,13 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
+use crate::forge::protocol::Kind;
 use crate::forge::shapes::polygons;
 use crate::num::Random;
 
 pub(super) const GATES: Family = Family {
     name: "gates",
+    kind: Kind::Sequence,
     purpose: "sequences of segments in the plane: ends shared, on one line, crossed, doubled, turned \
               around, on a grid so small that ties are the rule",
     parameters: &[

@@ -2,11 +2,13 @@
 
 use super::{Family, Parameter, Settings};
 use crate::forge::input::{Door, Graph, Input};
+use crate::forge::protocol::Kind;
 use crate::forge::shapes::polygon;
 use crate::num::Random;
 
 pub(super) const ROOMS: Family = Family {
     name: "rooms",
+    kind: Kind::Graph,
     purpose: "axial rooms with doors: several in one wall, sharing edges and corners, one unit \
               wide, triangles, T-junctions where walls meet",
     parameters: &[
@@ -88,7 +90,7 @@ fn doors_between(
 }
 
 /// A part of an interval: rarely all of it, mostly one unit of it.
-fn interval(random: &mut Random, [low, high]: [i64; 2]) -> [i64; 2] {
+pub(super) fn interval(random: &mut Random, [low, high]: [i64; 2]) -> [i64; 2] {
     match random.between(0, 7) {
         0 => [low, high],
         1..6 => {

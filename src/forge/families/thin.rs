@@ -2,6 +2,7 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::{Input, Point};
+use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, add, cross, lay_out, one_of, polygons, scale, sub, vector, whole,
 };
@@ -9,6 +10,7 @@ use crate::num::{Int, Random, Rational};
 
 pub(super) const SLIVER: Family = Family {
     name: "sliver",
+    kind: Kind::Sequence,
     purpose: "needles and slivers: triangles and parallelograms many times longer than wide",
     parameters: &[
         PORTALS,
@@ -24,6 +26,7 @@ pub(super) const SLIVER: Family = Family {
 
 pub(super) const SLIT: Family = Family {
     name: "slit",
+    kind: Kind::Sequence,
     purpose: "walls one behind the other, each with a slit of width 10^-1 to 10^-20, placed so \
               that lines pass all, graze the ends, or miss by less than a width",
     parameters: &[
