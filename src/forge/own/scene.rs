@@ -1,15 +1,16 @@
 //! Scenes: both regions split the division as hints, so that each leaf is in a region or out of it,
 //! and a region sees what its leaves see.
 
-use super::{Fault, Finding, class_of, holds, refused};
-use crate::forge::input::{Input, Point, Scene, polygons_json, sorted_box};
+use super::{Fault, Finding, class_of, holds, raised, refused};
+use crate::forge::check::{self, HalfSpace};
+use crate::forge::input::{Input, Point, Scene, box_corners, polygons_json, sorted_box};
 use crate::forge::protocol::{Answer, Class};
-use crate::num::{Int, Rational, Sign};
+use crate::num::{Int, Number, Rational, Sign};
 use crate::portal::plan::cells_of_plan;
 use crate::portal::{WorldCells, cells_of_world};
 use crate::pvs;
-use crate::pvs::plan::{Groups, classify_plan_grazing, plan_matrix};
-use crate::report::{Matrix, Silent};
+use crate::pvs::plan::{Groups, PlanSight, classify_plan_grazing, plan_sights};
+use crate::report::{Matrix, PairWitness, Silent};
 use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::{WorldOptions, read_world};
 use crate::subdivision;
@@ -29,10 +30,57 @@ pub(super) fn find(scene: &Scene, input: &Input) -> Result<Finding, Fault> {
     let mut matrix = pvs::assemble(&cells.graph, &finished.rows);
     holds(matrix.asymmetric_pairs() == 0, "the matrix is not symmetric")?;
     let [from, to] = leaves_of(scene, &cells);
+    let joins = |pair: &&PairWitness| {
+        let [a, b] = [pair.from as usize, pair.to as usize];
+        from.contains(&a) && to.contains(&b) || from.contains(&b) && to.contains(&a)
+    };
+    let witnesses = pvs::witnesses(&finished.rows);
+    let lines = witnesses.iter().filter(joins).take(1);
+    let lines: Vec<[[Rational; 3]; 2]> = lines
+        .map(|w| w.line.in_space().each_ref().map(|p| p.each_ref().map(Number::to_rational)))
+        .collect();
+    hold_lines(scene, &lines)?;
     if best(&matrix, &from, &to) != Class::Open {
         pvs::classify_grazing(&cells.graph, &mut matrix, None, &Silent);
     }
     Ok(finding(&matrix, &from, &to))
+}
+
+/// Holds that along each line the two regions see each other.
+fn hold_lines(scene: &Scene, lines: &[[[Rational; 3]; 2]]) -> Result<(), Fault> {
+    if lines.is_empty() {
+        return Ok(());
+    }
+    let occluders = occluders_of(scene);
+    let [from, to] = regions_of(scene);
+    for [p, q] in lines {
+        let shown = check::shows([p, q], [&from, &to], &occluders);
+        holds(shown, "the sightline does not join the regions")?;
+    }
+    Ok(())
+}
+
+/// What occludes, as convex sets; a segment of the plane as a wall.
+pub fn occluders_of(scene: &Scene) -> Vec<Vec<HalfSpace>> {
+    let polygons = scene.polygons.iter().map(|p| check::half_spaces_of_polygon(&raised(p)));
+    polygons.chain(scene.brushes.iter().map(|p| check::half_spaces_of_hull(p))).collect()
+}
+
+/// The two regions, as convex sets; one of the plane as a prism.
+pub fn regions_of(scene: &Scene) -> [Vec<HalfSpace>; 2] {
+    [&scene.from, &scene.to].map(|region| match region[0].len() {
+        3 => check::half_spaces_of_hull(&box_corners(region)),
+        _ => check::half_spaces_of_hull(&prism(region)),
+    })
+}
+
+/// A polygon of the plane with a height of 1.
+fn prism(region: &[Point]) -> Vec<Point> {
+    let at = |z: i64| {
+        let z = Rational::from(Int::from(z));
+        region.iter().map(move |p| vec![p[0].clone(), p[1].clone(), z.clone()])
+    };
+    at(0).chain(at(1)).collect()
 }
 
 fn finding(matrix: &Matrix, from: &[usize], to: &[usize]) -> Finding {
@@ -91,12 +139,22 @@ fn in_plane(scene: &Scene, graph: &PlanGraph) -> Result<Finding, Fault> {
     let crossings = graph.crossings();
     let groups = Groups::cells(graph.cells.len());
     let interrupted = || Fault::Refused("interrupted".to_owned());
-    let mut matrix = plan_matrix(graph, &crossings, &groups, &Silent).ok_or_else(interrupted)?;
+    let (mut matrix, sights) =
+        plan_sights(graph, &crossings, &groups, &|_, _| true, &Silent).ok_or_else(interrupted)?;
     holds(matrix.asymmetric_pairs() == 0, "the matrix is not symmetric")?;
     let [from, to] = [&scene.from, &scene.to].map(|region| {
         let within = |&cell: &usize| is_within(&middle(graph, cell), region);
         (0..graph.cells.len()).filter(within).collect::<Vec<usize>>()
     });
+    let joins = |sight: &&PlanSight| {
+        let [a, b] = [sight.from as usize, sight.to as usize];
+        from.contains(&a) && to.contains(&b) || from.contains(&b) && to.contains(&a)
+    };
+    let half = Rational::new(Int::from(1), Int::from(2));
+    let lifted = |[x, y]: &[Number; 2]| [x.to_rational(), y.to_rational(), half.clone()];
+    let lines: Vec<[[Rational; 3]; 2]> =
+        sights.iter().filter(joins).take(1).map(|s| s.line.each_ref().map(lifted)).collect();
+    hold_lines(scene, &lines)?;
     if best(&matrix, &from, &to) != Class::Open {
         classify_plan_grazing(graph, &crossings, &groups, &mut matrix, &Silent)
             .ok_or_else(interrupted)?;
