@@ -3,6 +3,7 @@
 mod keep;
 mod objects;
 pub(super) mod plan;
+mod proof;
 mod summary;
 mod tree;
 
@@ -41,6 +42,9 @@ pub(super) struct Args {
     /// Write the exact REJECT lump of a Doom level to a file
     #[arg(long, value_name = "OUT.lmp")]
     reject: Option<PathBuf>,
+    /// Write the proof (`stabline-proof/1`) to a folder: what `stabline verify` checks
+    #[arg(long, value_name = "DIR", conflicts_with = "shard")]
+    proof: Option<PathBuf>,
     /// Only the stab trees of these cells, by number
     #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
     from: Vec<u32>,
@@ -176,6 +180,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         };
         clock.lap("stab trees");
         trees.write_to(output, &report.input, args.stats)?;
+    }
+    if let Some(folder) = &args.proof {
+        if !proof::write(&args, folder, &graph, &report, &finished)? {
+            return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+        }
+        clock.lap("proof");
     }
     if let Some(npy) = &args.npy {
         let bytes = report.matrix.to_npy();

@@ -58,8 +58,11 @@ pub struct ConeSigns {
     pub edges: Vec<([usize; 2], Sign)>,
 }
 
-/// Requires: the sequence, with the order of the portals flagged, is not open.
-pub(super) fn of_not_open(portals: &[&Portal3], orders: &[bool]) -> Certificate {
+/// Why a sequence is not open.
+///
+/// `orders[i]` asks that portal `i` be crossed after portal `i - 1`. Requires: the sequence is not
+/// open.
+pub fn of_not_open(portals: &[&Portal3], orders: &[bool]) -> Certificate {
     let origin = portals[0].vertices()[0].coordinates.clone();
     let conditions = conditions(portals, orders, &origin);
     let rows: Vec<&Vector> = conditions.iter().map(|(_, row, _)| row).collect();

@@ -25,7 +25,9 @@ pub mod transversals;
 mod wedge;
 mod witness;
 
-pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use certificate::{
+    Certificate, Condition, ConeSigns, Term, of_not_open as certificate_of_not_open,
+};
 pub use closed::ClosedPortal;
 pub use extremal::{EdgeName, ExtremalLine};
 pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};
