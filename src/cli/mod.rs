@@ -26,6 +26,7 @@ mod pvs;
 mod schema;
 mod stab;
 mod transversals;
+mod verify;
 mod why;
 mod world;
 
@@ -61,6 +62,7 @@ enum Command {
     Schema(schema::Args),
     Stab(stab::Args),
     Transversals(transversals::Args),
+    Verify(verify::Args),
     Why(why::Args),
 }
 
@@ -79,6 +81,7 @@ impl Command {
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
+            Command::Verify(args) => verify::run(args),
             Command::Why(args) => why::run(args),
         }
     }

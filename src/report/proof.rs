@@ -216,7 +216,7 @@ impl ProofTree {
             match &node.refutation {
                 None => {}
                 Some(Refutation::Flush) => {
-                    push(&mut text, format_args!(" g o{} 1", path.len() - 1));
+                    push(&mut text, format_args!(" l 1 o{} 1", path.len() - 1));
                 }
                 Some(Refutation::Certificate { certificate, units }) => {
                     let scale = Scale { graph, path: &path, units };
@@ -247,7 +247,7 @@ fn push_certificate(text: &mut String, scale: &Scale, certificate: &Certificate)
     match certificate {
         Certificate::Gordan(terms) => {
             let weights = terms.iter().map(|t| scale.of(&t.condition) * &t.weight).collect();
-            text.push_str(" g");
+            push(text, format_args!(" l {}", terms.len()));
             for (term, weight) in terms.iter().zip(whole(weights)) {
                 push(text, format_args!(" {} {weight}", factor(&term.condition)));
             }

@@ -23,6 +23,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
+    ("verify", &[]),
     ("draw", &["num", "predicates", "scene", "subdivision", "portal"]),
     ("oracle", &["num", "geom"]),
     (
@@ -43,6 +44,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "motion",
             "audit",
             "draw",
+            "verify",
         ],
     ),
 ];
