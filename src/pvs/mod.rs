@@ -39,7 +39,7 @@ pub use grazing::classify_grazing;
 pub use objects::{ObjectSight, assemble_objects, bound_objects, compute_objects, object_sights};
 pub use obstacle::{Hindrance, Obstacle};
 pub use part::{Part, PartError, PartHeader};
-pub use proof::Prover;
+pub use proof::{Found, write_proof};
 pub use run::{Explanation, Finished, Options, Shard, compute, explain};
 pub use search::{DeadEnd, DeadEnds};
 pub use sightline::Sightline;

@@ -25,15 +25,51 @@ use super::{OpenPair, Row, Tally};
 use crate::geom::{BigLine, RationalPoint3};
 use crate::num::{Rational, Sign};
 use crate::report::{
-    Cut, CutReason, Matrix, Progress, ProofNode, ProofTree, ProvedOpen, Refutation, Verdict,
+    Cut, CutReason, Matrix, Progress, ProofHead, ProofNode, ProofText, ProofTree, ProvedGrazing,
+    ProvedOpen, Refutation, Verdict,
 };
 use crate::scene::{CellId, PortalGraph};
 use crate::stab::certificate_of_not_open;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
+use std::io::{self, Write};
+
+/// What a proof is of: the verdicts, and what they were found by.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'a> {
+    /// The verdicts of all pairs.
+    pub matrix: &'a Matrix,
+    /// The rows of all sources, with the lines of the open pairs.
+    pub rows: &'a [Row],
+    /// The lines of the grazing pairs, if they were classified.
+    pub grazing: &'a [ProvedGrazing],
+}
+
+/// Writes the proof of what was found of a graph; `None` if interrupted.
+///
+/// # Errors
+/// The first error of `out`.
+pub fn write_proof<W: Write>(
+    out: W,
+    head: &ProofHead,
+    graph: &PortalGraph,
+    found: &Found,
+    progress: &dyn Progress,
+) -> io::Result<Option<W>> {
+    let prover = Prover::new(graph, found.matrix);
+    let mut text = ProofText::new(out, head, graph, found.matrix);
+    for (source, pair) in prover.open_pairs(found.rows) {
+        text.open(source, &pair);
+    }
+    found.grazing.iter().for_each(|pair| text.grazing(pair));
+    match prover.prove(progress, |tree| text.tree(&tree)) {
+        true => text.finish().map(Some),
+        false => Ok(None),
+    }
+}
 
 /// Which cells each cell is not claimed not to see, and the order of the trees.
-pub struct Prover {
+struct Prover {
     arena: Arena,
     /// For each cell, those that it sees or might see; itself among them.
     sees: Vec<Bits>,
@@ -42,7 +78,7 @@ pub struct Prover {
 
 impl Prover {
     /// Prepares the proofs of what `matrix` says is not open.
-    pub fn new(graph: &PortalGraph, matrix: &Matrix) -> Prover {
+    fn new(graph: &PortalGraph, matrix: &Matrix) -> Prover {
         let arena = Arena::new(graph);
         let sees: Vec<Bits> = (0..arena.cells())
             .map(|cell| {
@@ -65,7 +101,7 @@ impl Prover {
 
     /// The trees of all cells, in an order in which each settles its cell's pairs with the cells
     /// that come later; `keep` is given them in that order. `false` if interrupted.
-    pub fn prove(&self, progress: &dyn Progress, mut keep: impl FnMut(ProofTree)) -> bool {
+    fn prove(&self, progress: &dyn Progress, mut keep: impl FnMut(ProofTree)) -> bool {
         progress.begin("proof", self.order.len() as u64);
         let mut targets = Vec::with_capacity(self.order.len());
         let mut earlier = self.arena.no_cells();
@@ -97,7 +133,7 @@ impl Prover {
 
     /// The open pairs of `rows`, each with its source, in ascending order of the lower cell and the
     /// higher.
-    pub fn open_pairs(&self, rows: &[Row]) -> Vec<(CellId, ProvedOpen)> {
+    fn open_pairs(&self, rows: &[Row]) -> Vec<(CellId, ProvedOpen)> {
         let pairs = rows.iter().flat_map(|row| row.open.iter().map(|pair| (row.source, pair)));
         let mut pairs: Vec<(CellId, &OpenPair)> = pairs.collect();
         pairs.sort_by_key(|(source, pair)| (*source.min(&pair.target), *source.max(&pair.target)));

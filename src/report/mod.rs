@@ -29,8 +29,8 @@ pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use plan::{PlanCell, PlanCellPortal, PlanCrossing, PlanPosition, PlanReport};
 pub use progress::{Progress, Silent};
 pub use proof::{
-    Cut, CutReason, DirectedPortal, ProofHead, ProofNode, ProofText, ProofTree, ProvedOpen,
-    Refutation, graph_text,
+    Cut, CutReason, DirectedPortal, ProofHead, ProofNode, ProofText, ProofTree, ProvedGrazing,
+    ProvedOpen, Refutation, graph_text,
 };
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
 pub use stab::StabReport;

@@ -106,6 +106,22 @@ pub struct ProvedOpen {
     pub line: [RationalPoint3; 2],
 }
 
+/// A pair of cells joined by a touching line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProvedGrazing {
+    /// The cell where the sequence begins.
+    pub source: CellId,
+    /// The cell where it ends.
+    pub target: CellId,
+    /// The portals touched.
+    pub portals: Vec<DirectedPortal>,
+    /// The line's vector, direction and moment in world units up to a positive factor: its rational
+    /// part and the factor of the root.
+    pub line: [[Int; 6]; 2],
+    /// What the root is of.
+    pub radicand: Int,
+}
+
 /// A proof that is being written, part after part.
 ///
 /// The first error of the writer ends the writing; [`ProofText::finish`] tells of it.
@@ -144,6 +160,15 @@ impl<'a, W: io::Write> ProofText<'a, W> {
             let [x, y, z] = point.numerators();
             push(&mut text, format_args!(" {x} {y} {z} {}", point.denominator()));
         }
+        pair.portals.iter().for_each(|portal| push(&mut text, format_args!(" {portal}")));
+        text.push('\n');
+        self.write(&text);
+    }
+
+    /// Adds the proof of a grazing pair.
+    pub fn grazing(&mut self, pair: &ProvedGrazing) {
+        let mut text = format!("grazing {} {} {}", pair.source.0, pair.target.0, pair.radicand);
+        pair.line.iter().flatten().for_each(|c| push(&mut text, format_args!(" {c}")));
         pair.portals.iter().for_each(|portal| push(&mut text, format_args!(" {portal}")));
         text.push('\n');
         self.write(&text);

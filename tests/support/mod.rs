@@ -5,6 +5,7 @@ pub mod boxes;
 pub mod graphs;
 pub mod obstacles;
 pub mod plans;
+pub mod proofs;
 pub mod sightlines;
 pub mod wads;
 pub mod witness;

@@ -3,8 +3,8 @@
 use super::super::exit::Failure;
 use super::super::files;
 use super::{Args, on_threads};
-use crate::pvs::{Finished, Prover};
-use crate::report::{ProofHead, ProofText, PvsReport};
+use crate::pvs::{Finished, Found, write_proof};
+use crate::report::{ProofHead, ProvedGrazing, PvsReport};
 use crate::scene::PortalGraph;
 use flate2::write::GzEncoder;
 use flate2::{Compression, GzBuilder};
@@ -21,22 +21,15 @@ pub(super) fn write(
     graph: &PortalGraph,
     report: &PvsReport,
     finished: &Finished,
+    grazing: &[ProvedGrazing],
 ) -> Result<bool, Failure> {
     let failure = |error: &io::Error| Failure::system("write", folder, error);
     std::fs::create_dir_all(folder).map_err(|error| failure(&error))?;
     let head = ProofHead { program: &report.program, input: &report.input };
-    let mut text = ProofText::new(Spool::Plain(Vec::new()), &head, graph, &report.matrix);
-    let made = on_threads(args, |watch| {
-        let prover = Prover::new(graph, &report.matrix);
-        for (source, pair) in prover.open_pairs(&finished.rows) {
-            text.open(source, &pair);
-        }
-        prover.prove(watch, |tree| text.tree(&tree))
-    })?;
-    if !made {
-        return Ok(false);
-    }
-    let spool = text.finish().map_err(|error| failure(&error))?;
+    let found = Found { matrix: &report.matrix, rows: &finished.rows, grazing };
+    let spool = Spool::Plain(Vec::new());
+    let written = on_threads(args, |watch| write_proof(spool, &head, graph, &found, watch))?;
+    let Some(spool) = written.map_err(|error| failure(&error))? else { return Ok(false) };
     let (bytes, name, other) = match spool {
         Spool::Plain(bytes) => (bytes, "proof.txt", "proof.txt.gz"),
         Spool::Packed(encoder) => {
