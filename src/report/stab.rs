@@ -293,6 +293,7 @@ fn certificate_report(certificate: &Certificate, denominator: &Int) -> Certifica
                 |(portal, what, weight)| TermReport { portal, what, weight: integer(weight) };
             CertificateReport::Gordan { terms: terms.map(report).collect() }
         }
+        Certificate::Quadric(_) => CertificateReport::Cone { rays: Vec::new(), edges: Vec::new() },
         Certificate::Cone(signs) => {
             // In the file's units a direction shrinks by the denominator and a moment by its
             // square: the vector is proportional to (denominator · direction, moment).

@@ -21,8 +21,62 @@ pub enum Certificate {
     /// The weighted sum of these conditions' Plücker vectors is zero, so they cannot all be
     /// positive on one vector.
     Gordan(Vec<Term>),
+    /// A multiple of the Klein form is a combination of products of the conditions' sides that is
+    /// positive where they all are.
+    Quadric(QuadricProof),
     /// The Klein quadric does not take both strict signs on the cone of the half-spaces.
     Cone(ConeSigns),
+}
+
+/// Why no line is strictly inside a sequence, or inside a part of R^6 that enclosing splits leave.
+///
+/// Let x be a vector on the strict side of every condition and on the weak side of every enclosing
+/// split. Each variant contradicts Q(x) = d·m = 0. All vectors are whole Plücker vectors in grid
+/// units about the grid's origin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum QuadricProof {
+    /// `Σ weight · factor(x) · factor(x) = multiple · Q(x)` for all x of R^6; at least one product is
+    /// of two conditions. The numbers have no common factor.
+    Identity {
+        /// Not zero.
+        multiple: Int,
+        /// At most 21.
+        products: Vec<Product>,
+    },
+    /// `Σ weight · factor(x) = 0` for all x of R^6; at least one factor is a condition. The weights
+    /// are positive and have no common factor.
+    Linear {
+        /// At most seven.
+        terms: Vec<(Factor, Int)>,
+    },
+    /// Either half of the part has a proof of its own.
+    Split {
+        /// A vector h (direction, moment), primitive: the halves are side(x, h) >= 0 and <= 0.
+        plane: [Int; 6],
+        /// The proof where side(x, h) >= 0.
+        positive: Box<QuadricProof>,
+        /// The proof where side(x, h) <= 0.
+        negative: Box<QuadricProof>,
+    },
+}
+
+/// A weighted product of two linear forms, neither of which is negative.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Product {
+    /// The two, which may be one and the same; in ascending order.
+    pub factors: [Factor; 2],
+    /// Positive.
+    pub weight: Int,
+}
+
+/// A linear form of R^6.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Factor {
+    /// side(x, e) with the vector e of the condition.
+    Condition(Condition),
+    /// side(x, h) with the plane h of the enclosing split of this depth, the outermost being 0; in
+    /// the split's negative part, -side(x, h).
+    Split(usize),
 }
 
 /// A condition of a sequence, with its weight.

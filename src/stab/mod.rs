@@ -25,7 +25,7 @@ pub mod transversals;
 mod wedge;
 mod witness;
 
-pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use certificate::{Certificate, Condition, ConeSigns, Factor, Product, QuadricProof, Term};
 pub use closed::ClosedPortal;
 pub use extremal::{EdgeName, ExtremalLine};
 pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};
