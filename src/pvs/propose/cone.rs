@@ -2,7 +2,7 @@
 
 use super::frame::{Bivector, Frame, half};
 use super::line::{FrameLine, line_between, propose_line};
-use super::norm::{Half, NormPoint, Outcome, dot};
+use crate::stab::propose::{Half, NormPoint, Outcome, dot};
 use super::six::agreeing_six;
 use crate::num::{Int, Rational};
 use crate::pvs::arena::{Arena, Directed};

@@ -1,6 +1,6 @@
 //! Six half-spaces that seem to let no line through, for `stab::six_edges_exclude_lines`.
 
-use super::norm::{Half, dot};
+use crate::stab::propose::{Half, dot};
 use crate::predicates::gordan::invert;
 
 /// A product of two unit vectors that may be zero but for rounding.
