@@ -29,7 +29,7 @@ use crate::report::{
     ProvedOpen, Refutation, Verdict,
 };
 use crate::scene::{CellId, PortalGraph};
-use crate::stab::certificate_of_not_open;
+use crate::stab::certificate;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::io::{self, Write};
@@ -320,7 +320,7 @@ impl<'a> Walk<'a> {
             .map(|i| i > 0 && arena.needs_order(self.path[i - 1], self.path[i]))
             .collect();
         let portals: Vec<_> = portals.iter().map(|portal| &**portal).collect();
-        let certificate = Box::new(certificate_of_not_open(&portals, &orders));
+        let certificate = Box::new(certificate(&portals, &orders, &units));
         Some(Refutation::Certificate { certificate, units })
     }
 

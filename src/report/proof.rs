@@ -9,7 +9,7 @@ use crate::geom::RationalPoint3;
 use crate::geom::vector::cross;
 use crate::num::{Int, Rational};
 use crate::scene::{CellId, PortalGraph};
-use crate::stab::{Certificate, Condition};
+use crate::stab::{Certificate, Condition, Factor, Product, QuadricProof};
 use num_integer::Integer;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -271,20 +271,57 @@ fn push_cut(text: &mut String, cut: &Cut) {
 fn push_certificate(text: &mut String, scale: &Scale, certificate: &Certificate) {
     match certificate {
         Certificate::Gordan(terms) => {
-            let weights = terms.iter().map(|t| scale.of(&t.condition) * &t.weight).collect();
-            push(text, format_args!(" l {}", terms.len()));
-            for (term, weight) in terms.iter().zip(whole(weights)) {
-                push(text, format_args!(" {} {weight}", factor(&term.condition)));
-            }
+            let terms = terms.iter().map(|t| (Factor::Condition(t.condition), &t.weight));
+            push_linear(text, scale, terms.collect());
         }
-        Certificate::Cone(_) => text.push_str(" cone"),
+        Certificate::Quadric(proof) => push_quadric(text, scale, proof),
     }
 }
 
-fn factor(condition: &Condition) -> String {
-    match condition {
-        Condition::Edge(name) => format!("{}.{}", name.portal, name.edge),
-        Condition::Order { portal } => format!("o{portal}"),
+fn push_linear(text: &mut String, scale: &Scale, terms: Vec<(Factor, &Int)>) {
+    push(text, format_args!(" l {}", terms.len()));
+    let weights = whole(terms.iter().map(|(factor, weight)| scale.of(factor) * *weight).collect());
+    for ((factor, _), weight) in terms.iter().zip(weights) {
+        push(text, format_args!(" {} {weight}", factor_text(factor)));
+    }
+}
+
+fn push_quadric(text: &mut String, scale: &Scale, proof: &QuadricProof) {
+    match proof {
+        QuadricProof::Identity { multiple, products } => {
+            let mut numbers: Vec<Rational> = products
+                .iter()
+                .map(|Product { factors: [f, g], weight }| scale.of(f) * scale.of(g) * weight)
+                .collect();
+            numbers.push(scale.of_quadric() * multiple);
+            let mut numbers = whole(numbers);
+            let multiple = numbers.pop().expect("the multiple was pushed");
+            push(text, format_args!(" i {multiple} {}", products.len()));
+            for (Product { factors: [f, g], .. }, weight) in products.iter().zip(numbers) {
+                push(text, format_args!(" {} {} {weight}", factor_text(f), factor_text(g)));
+            }
+        }
+        QuadricProof::Linear { terms } => {
+            push_linear(
+                text,
+                scale,
+                terms.iter().map(|(factor, weight)| (*factor, weight)).collect(),
+            );
+        }
+        QuadricProof::Split { plane, positive, negative } => {
+            text.push_str(" s");
+            scale.split(plane).iter().for_each(|c| push(text, format_args!(" {c}")));
+            push_quadric(text, scale, positive);
+            push_quadric(text, scale, negative);
+        }
+    }
+}
+
+fn factor_text(factor: &Factor) -> String {
+    match factor {
+        Factor::Condition(Condition::Edge(name)) => format!("{}.{}", name.portal, name.edge),
+        Factor::Condition(Condition::Order { portal }) => format!("o{portal}"),
+        Factor::Split(split) => format!("h{split}"),
     }
 }
 
@@ -298,6 +335,9 @@ fn whole(fractions: Vec<Rational>) -> Vec<Int> {
 
 /// From the vectors that a certificate speaks of to those of the text: a certificate's are in grid
 /// units with primitive normals, the text's follow from the vertices' homogeneous coordinates.
+///
+/// With D grid units in a world unit, the vector (d, m) of world units is (D d, D² m) on the grid,
+/// and the sides and the quadric of two such are D³ those in world units.
 struct Scale<'a> {
     graph: &'a PortalGraph,
     path: &'a [DirectedPortal],
@@ -306,20 +346,34 @@ struct Scale<'a> {
 }
 
 impl Scale<'_> {
-    /// The certificate's vector of a condition, in world units, as a multiple of the text's.
-    fn of(&self, condition: &Condition) -> Rational {
+    /// The certificate's vector of a factor, taken to world units, as a multiple of the text's.
+    fn of(&self, factor: &Factor) -> Rational {
         let one = Int::from(1);
-        match condition {
-            Condition::Edge(name) => {
+        match factor {
+            Factor::Condition(Condition::Edge(name)) => {
                 let corners = corners(self.graph, self.path[name.portal]);
                 let next = (name.edge + 1) % corners.len();
                 Rational::new(one, corners[name.edge].denominator() * corners[next].denominator())
             }
-            Condition::Order { portal } => {
+            Factor::Condition(Condition::Order { portal }) => {
                 let [first, second] = [portal - 1, *portal].map(|i| self.normal_scale(i));
                 Rational::new(one, self.units.clone()) / (first * second)
             }
+            Factor::Split(_) => Rational::new(one, self.units * self.units),
         }
+    }
+
+    /// What a multiple of the quadric becomes, where a product's weight stays what it is: D³ for
+    /// each of its two sides, D³ for the quadric.
+    fn of_quadric(&self) -> Rational {
+        Rational::new(Int::from(1), self.units * self.units * self.units)
+    }
+
+    /// The text's vector of a split: D² times that in world units.
+    fn split(&self, [a, b, c, d, e, f]: &[Int; 6]) -> [Int; 6] {
+        let direction = [a, b, c].map(|x| x * self.units);
+        let [a, b, c] = direction;
+        [a, b, c, d.clone(), e.clone(), f.clone()]
     }
 
     /// The normal of the text's plane of a portal as a multiple of the primitive one.

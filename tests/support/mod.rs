@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
 pub mod boxes;
+pub mod certificate;
 pub mod graphs;
 pub mod obstacles;
 pub mod plans;
