@@ -21,11 +21,13 @@ mod meshes;
 mod motion;
 mod numbers;
 mod plan;
+mod program;
 mod progress;
 mod pvs;
 mod schema;
 mod stab;
 mod transversals;
+mod vectors;
 mod why;
 mod world;
 
@@ -61,6 +63,7 @@ enum Command {
     Schema(schema::Args),
     Stab(stab::Args),
     Transversals(transversals::Args),
+    Vectors(vectors::Args),
     Why(why::Args),
 }
 
@@ -79,6 +82,7 @@ impl Command {
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
+            Command::Vectors(args) => vectors::run(args),
             Command::Why(args) => why::run(args),
         }
     }
