@@ -21,11 +21,13 @@ mod meshes;
 mod motion;
 mod numbers;
 mod plan;
+mod program;
 mod progress;
 mod pvs;
 mod schema;
 mod stab;
 mod transversals;
+mod vectors;
 mod verify;
 mod why;
 mod world;
@@ -62,6 +64,7 @@ enum Command {
     Schema(schema::Args),
     Stab(stab::Args),
     Transversals(transversals::Args),
+    Vectors(vectors::Args),
     Verify(verify::Args),
     Why(why::Args),
 }
@@ -81,6 +84,7 @@ impl Command {
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
+            Command::Vectors(args) => vectors::run(args),
             Command::Verify(args) => verify::run(args),
             Command::Why(args) => why::run(args),
         }
