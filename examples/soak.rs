@@ -10,7 +10,7 @@
 //! `--write FILE` keeps them.
 
 use stabline::forge::{
-    Answer, Class, FAMILIES, Family, Graph, Input, LineCount, find, portal_graph,
+    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, occluders_of, portal_graph,
 };
 use stabline::formats::blake3;
 use stabline::geom::{BigPoint2, RationalPoint3};
@@ -19,6 +19,11 @@ use stabline::oracle::{
     Gate, MeetingLines, PlaneTruth, Truth, classify, classify_2d, meeting_lines, on_common_grid,
     open_pairs, touched_pairs,
 };
+use stabline::pvs::{self, Found};
+use stabline::report::{InputId, Matrix, ProofHead, Silent, Verdict};
+use stabline::scene::PortalGraph;
+use stabline::vectors::{Answer, Class, LineCount};
+use stabline::verify::verify;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -173,7 +178,7 @@ fn soak(family: &Family, options: &Options) -> Result<Soaked, String> {
 }
 
 /// The engine's answer, if the checker and the twin agree with it.
-fn compare(input: &Input) -> Result<stabline::forge::Finding, String> {
+fn compare(input: &Input) -> Result<Finding, String> {
     let found = find(input).map_err(|fault| fault.to_string())?;
     let expected = match input {
         Input::Sequence(portals) if input.dimension() == 2 => {
@@ -204,6 +209,13 @@ fn compare(input: &Input) -> Result<stabline::forge::Finding, String> {
             })
         }
         Input::Graph(graph) => Answer::Class(twin_of_graph(graph)?),
+        // The sightline of what is open was held; sampled points must not see more than that.
+        Input::Scene(scene) if found.answer != Answer::Class(Class::Open) => {
+            match sampled_sight(scene) {
+                Some(points) => return Err(format!("{points:?} see each other: {found:?}")),
+                None => found.answer.clone(),
+            }
+        }
         Input::Scene(_) => found.answer.clone(),
     };
     if found.answer == expected {
@@ -211,6 +223,47 @@ fn compare(input: &Input) -> Result<stabline::forge::Finding, String> {
     } else {
         Err(format!("the engine says {:?}, the twin {expected:?}", found.answer))
     }
+}
+
+/// Two points of the regions between which nothing stands, if some of these do.
+fn sampled_sight(scene: &Scene) -> Option<[[Rational; 3]; 2]> {
+    let occluders = occluders_of(scene);
+    let [from, to] = [&scene.from, &scene.to].map(|region| samples(region));
+    let pairs = from.iter().flat_map(|p| to.iter().map(move |q| [p.clone(), q.clone()]));
+    pairs.into_iter().find(|[p, q]| forge::check::is_clear(p, q, &occluders))
+}
+
+/// Inner points of a box by two corners, or of a polygon of the plane: near the corners, and
+/// towards the middle.
+fn samples(region: &[Vec<Rational>]) -> Vec<[Rational; 3]> {
+    let ratio = |p: i64, q: i64| Rational::new(Int::from(p), Int::from(q));
+    let corners: Vec<[Rational; 3]> = match region {
+        [low, high] => {
+            (0..8).map(|bits| [0, 1, 2].map(|i| [low, high][bits >> i & 1][i].clone())).collect()
+        }
+        polygon => polygon.iter().map(|p| [p[0].clone(), p[1].clone(), ratio(1, 2)]).collect(),
+    };
+    let count = ratio(corners.len() as i64, 1);
+    let middle = [0, 1, 2].map(|i| corners.iter().map(|p| &p[i]).sum::<Rational>() / &count);
+    let mut points = vec![middle.clone()];
+    for share in [ratio(1, 1000), ratio(1, 3)] {
+        points.extend(
+            corners.iter().map(|p| [0, 1, 2].map(|i| &p[i] + (&middle[i] - &p[i]) * &share)),
+        );
+    }
+    points
+}
+
+/// The proof of the graph's PVS, grazing pairs included, as the independent checker takes it.
+fn check_proof(built: &PortalGraph, matrix: &Matrix, rows: &[pvs::Row]) -> Result<(), String> {
+    let mut matrix = matrix.clone();
+    let grazing = pvs::classify_grazing(built, &mut matrix, None, &Silent).ok_or("interrupted")?;
+    let found = Found { matrix: &matrix, rows, grazing: &grazing };
+    let input = InputId { name: "a graph".to_owned(), blake3: "0".repeat(64) };
+    let head = ProofHead { program: "stabline", input: &input };
+    let text = pvs::write_proof(Vec::new(), &head, built, &found, &Silent);
+    let text = text.map_err(|error| error.to_string())?.ok_or("interrupted")?;
+    verify(text.as_slice()).map(drop).map_err(|flaw| format!("the proof does not hold: {flaw}"))
 }
 
 fn point3(p: &[Rational]) -> RationalPoint3 {
@@ -238,10 +291,11 @@ fn twin_of_graph(graph: &Graph) -> Result<Class, String> {
         })
         .collect();
     let open = open_pairs(graph.cells, &gates);
-    let (_, matrix, _) = stabline::forge::pvs_of(graph).map_err(|fault| fault.to_string())?;
+    let (_, matrix, rows) = forge::pvs_of(graph).map_err(|fault| fault.to_string())?;
+    check_proof(&built, &matrix, &rows)?;
     for (a, row) in open.iter().enumerate() {
         for (b, &is_open) in row.iter().enumerate() {
-            if is_open != (matrix.get(a, b) == stabline::report::Verdict::Open) {
+            if is_open != (matrix.get(a, b) == Verdict::Open) {
                 return Err(format!("cells {a} and {b}: the twin says open: {is_open}"));
             }
         }

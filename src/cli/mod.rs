@@ -28,6 +28,8 @@ mod schema;
 mod stab;
 mod stress;
 mod transversals;
+mod vectors;
+mod verify;
 mod why;
 mod world;
 
@@ -64,6 +66,8 @@ enum Command {
     Stab(stab::Args),
     Stress(stress::Args),
     Transversals(transversals::Args),
+    Vectors(vectors::Args),
+    Verify(verify::Args),
     Why(why::Args),
 }
 
@@ -83,6 +87,8 @@ impl Command {
             Command::Stab(args) => stab::run(args),
             Command::Stress(args) => stress::run(args),
             Command::Transversals(args) => transversals::run(args),
+            Command::Vectors(args) => vectors::run(args),
+            Command::Verify(args) => verify::run(args),
             Command::Why(args) => why::run(args),
         }
     }

@@ -11,6 +11,7 @@ use crate::report::{
     BodyReport, BodyTreeReport, BspReport, CellsReport, EyePlanReport, EyeReport, MoveReport,
     ObjectsReport, PlanReport, PvsReport, StabReport, TransversalsReport,
 };
+use crate::vectors::{ScoreReport, VectorsFile};
 use serde_json::Value;
 
 /// Print the JSON schema of a format, or the names of all
@@ -45,6 +46,8 @@ const SCHEMAS: &[Format] = &[
     ("stabline-sequence/1", SequenceFile::schema),
     ("stabline-stab/1", StabReport::schema),
     ("stabline-transversals/1", TransversalsReport::schema),
+    (VectorsFile::FORMAT, VectorsFile::schema),
+    (ScoreReport::FORMAT, ScoreReport::schema),
 ];
 
 /// Whether `name` is short for `full`: `pvs`, `pvs/1`, `stabline-pvs`, `stabline-pvs/1`.

@@ -4,8 +4,9 @@ mod run;
 
 use super::exit::{Exit, Failure};
 use super::files;
-use crate::forge::{Case, FAMILIES, Family, Input, Parameter, Settings, find};
+use crate::forge::{FAMILIES, Family, Input, Parameter, Settings, find};
 use crate::formats::blake3;
+use crate::vectors::Case;
 use std::path::PathBuf;
 
 /// Make hard cases, hold our own answers to them, or ask another program
@@ -42,6 +43,9 @@ pub(super) struct Args {
     /// Ask this program, and compare its answers with ours
     #[arg(long, value_name = "PROGRAM", num_args = 1.., allow_hyphen_values = true)]
     run: Vec<String>,
+    /// The program answers one line a case, one line each, in one process
+    #[arg(long, requires = "run")]
+    stream: bool,
 }
 
 fn parse_parameter(text: &str) -> Result<(String, i64), String> {

@@ -3,7 +3,6 @@
 //! All coordinates are rationals, and points have two or three of them: what a law or the reducer
 //! does to coordinates it does to every kind of case alike.
 
-use super::protocol::{Case, Kind};
 use crate::formats::json::{
     BrushShape, Coordinate, GeometryFile, PlanFile, PlanFilePortal, PlanGraphFile, SceneBrush,
     SceneFile, SceneKind, ScenePortal,
@@ -11,6 +10,7 @@ use crate::formats::json::{
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::num::{Number, Rational};
+use crate::vectors::{Case, Kind};
 use serde_json::{Value, json};
 
 /// Two or three coordinates, in world units.

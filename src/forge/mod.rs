@@ -11,10 +11,8 @@ pub mod check;
 mod families;
 mod input;
 mod own;
-mod protocol;
 mod shapes;
 
 pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError};
 pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
-pub use own::{Fault, Finding, find, portal_graph, pvs_of, raised};
-pub use protocol::{Answer, Case, Class, Kind, LineCount};
+pub use own::{Fault, Finding, find, occluders_of, portal_graph, pvs_of, raised, regions_of};

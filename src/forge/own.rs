@@ -1,19 +1,22 @@
 //! Our own answer to an input, held to the definitions: what the engine gives as evidence is
 //! checked by [`super::check`] before the answer counts.
 
+mod quadric;
 mod scene;
+
+pub use scene::{occluders_of, regions_of};
 
 use super::check;
 use super::input::{Graph, Input, Polygon};
-use super::protocol::{Answer, Class, LineCount};
 use crate::geom::{BigLine, BigPoint2, BigPoint3, RationalPoint3};
 use crate::num::{Int, Number, Rational, Surd};
 use crate::pvs;
-use crate::report::{Matrix, PairWitness, Silent, Verdict};
+use crate::report::{Matrix, Silent, Verdict};
 use crate::scene::{PortalGraph, RawGraph, RawPortal};
 use crate::stab::hourglass::{End, EndTerm, Hourglass, PlaneVerdict};
 use crate::stab::transversals::transversals;
 use crate::stab::{Certificate, Condition, Portal3, StabLine, Stabber, Term, Witness};
+use crate::vectors::{Answer, Class, LineCount};
 use num_integer::Integer;
 use num_traits::One;
 
@@ -133,18 +136,22 @@ fn in_space(polygons: &[Polygon]) -> Result<Finding, Fault> {
             let scale = Surd::from(unit.clone());
             let line = points.each_ref().map(|p| p.each_ref().map(|c| c / &scale));
             holds(check::touches(&line, polygons), "the touching line misses")?;
-            hold_certificate(certificate, polygons)?;
+            hold_certificate(certificate, polygons, &unit)?;
             Class::Grazing
         }
         crate::stab::Verdict::Blocked { certificate } => {
-            hold_certificate(certificate, polygons)?;
+            hold_certificate(certificate, polygons, &unit)?;
             Class::Blocked
         }
     };
     Ok(Finding { answer: Answer::Class(class), evidence: format!("{verdict:?}") })
 }
 
-fn hold_certificate(certificate: &Certificate, polygons: &[Polygon]) -> Result<(), Fault> {
+fn hold_certificate(
+    certificate: &Certificate,
+    polygons: &[Polygon],
+    unit: &Int,
+) -> Result<(), Fault> {
     match certificate {
         Certificate::Gordan(terms) => {
             let term = |term: &Term| match term.condition {
@@ -155,13 +162,10 @@ fn hold_certificate(certificate: &Certificate, polygons: &[Polygon]) -> Result<(
             let cancel = terms.is_some_and(|terms| check::edges_cancel(&terms, polygons));
             holds(cancel, "the edges do not cancel")
         }
-        Certificate::Cone(cone) => {
-            let edges = cone.edges.iter().map(|(_, sign)| *sign);
-            let signs: Vec<_> = cone.rays.iter().map(|(_, sign)| *sign).chain(edges).collect();
-            let both = [crate::num::Sign::Positive, crate::num::Sign::Negative]
-                .iter()
-                .all(|sign| signs.contains(sign));
-            holds(!both, "the quadric takes both signs on the cone")
+        Certificate::Quadric(proof) => {
+            let proof = quadric::proof_of(proof)
+                .ok_or_else(|| Fault::Evidence("an order where none was asked".to_owned()))?;
+            holds(check::refutes(&proof, polygons, unit), "the quadric certificate does not hold")
         }
     }
 }
@@ -224,11 +228,11 @@ pub fn raised(polygon: &Polygon) -> Polygon {
     }
 }
 
-/// Which cells see which, every line held, and the lines.
+/// Which cells see which, every line held, and the rows of the search with the lines.
 ///
 /// # Errors
 /// [`Fault`].
-pub fn pvs_of(graph: &Graph) -> Result<(PortalGraph, Matrix, Vec<PairWitness>), Fault> {
+pub fn pvs_of(graph: &Graph) -> Result<(PortalGraph, Matrix, Vec<pvs::Row>), Fault> {
     let built = portal_graph(graph)?;
     let options = pvs::Options::default();
     let finished = pvs::compute(&built, &options, Vec::new(), &|_| {}, &Silent);
@@ -256,16 +260,16 @@ pub fn pvs_of(graph: &Graph) -> Result<(PortalGraph, Matrix, Vec<PairWitness>), 
     }
     let counted = matrix.counts().open as usize;
     holds(counted == open + graph.cells, "an open pair without a witness")?;
-    Ok((built, matrix, witnesses))
+    Ok((built, matrix, finished.rows))
 }
 
 fn of_pair(graph: &Graph) -> Result<Finding, Fault> {
-    let (built, mut matrix, witnesses) = pvs_of(graph)?;
+    let (built, mut matrix, rows) = pvs_of(graph)?;
     if matrix.get(graph.from, graph.to) != Verdict::Open {
         pvs::classify_grazing(&built, &mut matrix, None, &Silent);
     }
     let class = class_of(matrix.get(graph.from, graph.to));
-    Ok(Finding { answer: Answer::Class(class), evidence: format!("{matrix:?} {witnesses:?}") })
+    Ok(Finding { answer: Answer::Class(class), evidence: format!("{matrix:?} {rows:?}") })
 }
 
 /// A verdict of a classified matrix.

@@ -2,11 +2,11 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, across, add, cross, lay_out, one_of, polygons, scale, sub, vector,
 };
 use crate::num::Random;
+use crate::vectors::Kind;
 
 const SPREAD: Parameter = Parameter {
     name: "spread",

@@ -3,9 +3,9 @@
 use super::rooms::interval;
 use super::{FAMILIES, Family, Parameter, Settings};
 use crate::forge::input::{Door, Graph, Input};
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::{across, add, polygon, vector};
 use crate::num::Random;
+use crate::vectors::Kind;
 
 pub(super) const ROW: Family = Family {
     name: "row",

@@ -3,11 +3,11 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, add, cross, dot, lay_out, one_of, polygons, scale, sub, vector,
 };
 use crate::num::Random;
+use crate::vectors::Kind;
 
 pub(super) const PENCIL: Family = Family {
     name: "pencil",

@@ -10,8 +10,8 @@ mod scenes;
 mod thin;
 
 use super::input::Input;
-use super::protocol::Kind;
 use crate::num::Random;
+use crate::vectors::Kind;
 
 /// A way of being degenerate.
 #[derive(Clone, Copy, Debug)]

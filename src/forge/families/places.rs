@@ -2,12 +2,12 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::{Input, Point};
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::{
     SQUARE, TRIANGLE, Vector, across, add, cross, lay_out, one_of, polygons, scale, sub, vector,
     whole,
 };
 use crate::num::{Int, Random, Rational};
+use crate::vectors::Kind;
 
 pub(super) const PARALLEL: Family = Family {
     name: "parallel",

@@ -2,9 +2,9 @@
 
 use super::{Family, PORTALS, Parameter, Settings};
 use crate::forge::input::Input;
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::polygons;
 use crate::num::Random;
+use crate::vectors::Kind;
 
 pub(super) const GATES: Family = Family {
     name: "gates",

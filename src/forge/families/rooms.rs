@@ -2,9 +2,9 @@
 
 use super::{Family, Parameter, Settings};
 use crate::forge::input::{Door, Graph, Input};
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::polygon;
 use crate::num::Random;
+use crate::vectors::Kind;
 
 pub(super) const ROOMS: Family = Family {
     name: "rooms",

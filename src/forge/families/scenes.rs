@@ -2,9 +2,9 @@
 
 use super::{Family, Parameter, Settings};
 use crate::forge::input::{Input, Polygon, Scene, box_corners};
-use crate::forge::protocol::Kind;
 use crate::forge::shapes::{Vector, add, one_of, polygon, scale};
 use crate::num::Random;
+use crate::vectors::Kind;
 
 const OCCLUDERS: Parameter =
     Parameter { name: "occluders", purpose: "the most occluders", default: 3, range: [1, 20] };

@@ -4,7 +4,6 @@
 use super::{Fault, Finding, class_of, holds, raised, refused};
 use crate::forge::check::{self, HalfSpace};
 use crate::forge::input::{Input, Point, Scene, box_corners, polygons_json, sorted_box};
-use crate::forge::protocol::{Answer, Class};
 use crate::num::{Int, Number, Rational, Sign};
 use crate::portal::plan::cells_of_plan;
 use crate::portal::{WorldCells, cells_of_world};
@@ -15,6 +14,7 @@ use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::{WorldOptions, read_world};
 use crate::subdivision;
 use crate::subdivision::plan::{PlanMethod, divide};
+use crate::vectors::{Answer, Class};
 use serde_json::{Value, json};
 
 /// The class of the two regions.

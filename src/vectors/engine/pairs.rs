@@ -1,0 +1,161 @@
+//! Pairs of cells: of a portal graph, or of a scene of geometry.
+
+use super::{EngineError, NAME, ViewCells, ViewCells2, index_of};
+use crate::geom::BigPoint2;
+use crate::num::Int;
+use crate::pvs::plan::{Cover, classify_plan_grazing, plan_matrix};
+use crate::pvs::{self, Options};
+use crate::report::{Matrix, Silent, Verdict};
+use crate::scene::plan::{Crossings, PlanGraph, PlanInput, read_plan};
+use crate::scene::world::InputKind;
+use crate::scene::{CellId, PortalGraph, read_graph};
+use crate::stab::hourglass::{Hourglass, PlaneVerdict};
+use crate::vectors::Class;
+use num_integer::Integer;
+use serde_json::Value;
+
+/// The verdict on two cells of a portal graph, in space or in the plane.
+pub(super) fn of_graph(scene: &Value, ends: [&str; 2]) -> Result<Class, EngineError> {
+    let bytes = scene.to_string().into_bytes();
+    match InputKind::of(NAME, &bytes)? {
+        InputKind::Plan => match read_plan(NAME, &bytes)? {
+            PlanInput::Graph(graph) => of_plan_graph(&graph, ends),
+            PlanInput::Plan(_) => Err(EngineError::input("expected a portal graph")),
+        },
+        _ => of_space_graph(&read_graph(NAME, &bytes)?, ends),
+    }
+}
+
+fn pair(cells: &[String], [from, to]: [&str; 2]) -> Result<[usize; 2], EngineError> {
+    Ok([index_of(cells.iter(), "from", from)?, index_of(cells.iter(), "to", to)?])
+}
+
+fn of_space_graph(graph: &PortalGraph, ends: [&str; 2]) -> Result<Class, EngineError> {
+    let [from, to] = pair(&graph.cells, ends)?;
+    let mut matrix = open_pairs(graph);
+    if matrix.get(from, to) == Verdict::NotOpen {
+        pvs::classify_grazing(graph, &mut matrix, None, &Silent);
+    }
+    Ok(class(matrix.get(from, to)))
+}
+
+fn open_pairs(graph: &PortalGraph) -> Matrix {
+    let done = pvs::compute(graph, &Options::default(), Vec::new(), &|_| {}, &Silent);
+    pvs::assemble(graph, &done.rows)
+}
+
+/// Without a budget nothing is undecided.
+fn class(verdict: Verdict) -> Class {
+    match verdict {
+        Verdict::Open | Verdict::Undecided => Class::Open,
+        Verdict::Grazing => Class::Grazing,
+        Verdict::NotOpen => Class::Blocked,
+    }
+}
+
+/// A stated graph of the plane is searched as portals with a height of 1. Lines that touch are
+/// not: in space they may stand upright. These are looked for in the plane, along all sequences.
+fn of_plan_graph(graph: &PlanGraph, ends: [&str; 2]) -> Result<Class, EngineError> {
+    let [from, to] = pair(&graph.cells, ends)?;
+    if open_pairs(&graph.in_space()).get(from, to) == Verdict::Open {
+        return Ok(Class::Open);
+    }
+    let mut walk = Touching::new(graph, CellId(to as u32));
+    Ok(match walk.reaches(CellId(from as u32)) {
+        true => Class::Grazing,
+        false => Class::Blocked,
+    })
+}
+
+/// A walk over the sequences of a graph of the plane that some line touches.
+struct Touching<'g> {
+    crossings: Crossings,
+    ends: Vec<BigPoint2>,
+    target: CellId,
+    crossed: Vec<CellId>,
+    hourglass: Hourglass,
+    graph: &'g PlanGraph,
+}
+
+impl<'g> Touching<'g> {
+    fn new(graph: &'g PlanGraph, target: CellId) -> Touching<'g> {
+        let points = || (0..graph.points.len() as u32).map(|point| graph.points.get(point));
+        let common = points().fold(Int::from(1), |common, p| common.lcm(&p.numbers()[2]));
+        let whole = points().map(|point| {
+            let [x, y, w] = point.numbers();
+            let scale = &common / w;
+            BigPoint2 { coordinates: [x * &scale, y * &scale] }
+        });
+        Touching {
+            crossings: graph.crossings(),
+            ends: whole.collect(),
+            target,
+            crossed: Vec::new(),
+            hourglass: Hourglass::new(),
+            graph,
+        }
+    }
+
+    fn reaches(&mut self, cell: CellId) -> bool {
+        if cell == self.target {
+            return true;
+        }
+        self.crossed.push(cell);
+        let ways = self.crossings.from(cell).to_vec();
+        let found = ways.into_iter().any(|way| {
+            debug_assert!((way.portal as usize) < self.graph.portals.len(), "a portal");
+            if self.crossed.contains(&way.to) {
+                return false;
+            }
+            let [left, right] = [way.left, way.right].map(|end| self.ends[end as usize].clone());
+            self.hourglass.push_big(left, right);
+            let touched = match self.hourglass.verdict() {
+                PlaneVerdict::Open(_) | PlaneVerdict::Grazing { .. } => true,
+                PlaneVerdict::Blocked { .. } => false,
+            };
+            let reached = touched && self.reaches(way.to);
+            self.hourglass.pop();
+            reached
+        });
+        self.crossed.pop();
+        found
+    }
+}
+
+/// The verdict on two view cells of a scene of geometry, in space or in the plane.
+pub(super) fn of_scene(scene: &Value, ends: [&str; 2]) -> Result<Class, EngineError> {
+    match InputKind::of(NAME, &scene.to_string().into_bytes())? {
+        InputKind::Plan => of_plan(&ViewCells2::of_plane(scene)?, ends),
+        _ => of_world(&ViewCells::of_space(scene)?, ends),
+    }
+}
+
+fn of_plan(view: &ViewCells2, ends: [&str; 2]) -> Result<Class, EngineError> {
+    let [from, to] = pair(&view.names, ends)?;
+    let graph = &view.cells.graph;
+    let crossings = graph.crossings();
+    let cover = Cover::new(view.names.len(), view.of_cell.iter().map(Vec::as_slice));
+    let uninterrupted = "nothing interrupts in silence";
+    let mut matrix = plan_matrix(graph, &crossings, cover.groups(), &Silent).expect(uninterrupted);
+    classify_plan_grazing(graph, &crossings, cover.groups(), &mut matrix, &Silent)
+        .expect(uninterrupted);
+    Ok(class(cover.matrix(matrix).get(from, to)))
+}
+
+fn of_world(view: &ViewCells, ends: [&str; 2]) -> Result<Class, EngineError> {
+    let [from, to] = pair(&view.names, ends)?;
+    let graph = &view.cells.graph;
+    let inside = |object: usize| {
+        let is_in = move |(_, of): &(usize, &Vec<u32>)| of.contains(&(object as u32));
+        view.of_cell.iter().enumerate().filter(is_in).map(|(cell, _)| cell)
+    };
+    let best = |matrix: &Matrix| {
+        let pairs = inside(from).flat_map(|a| inside(to).map(move |b| (a, b)));
+        pairs.map(|(a, b)| class(matrix.get(a, b))).max().unwrap_or(Class::Blocked)
+    };
+    let mut matrix = open_pairs(graph);
+    if best(&matrix) != Class::Open {
+        pvs::classify_grazing(graph, &mut matrix, None, &Silent);
+    }
+    Ok(best(&matrix))
+}
