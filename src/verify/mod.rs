@@ -70,10 +70,7 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
                 let [a, b] = [fields.index(cells)?, fields.index(cells)?];
                 let is_claimed = a != b && claims[a][b] == 1 + u8::from(kind == "open");
                 let is_new = shown.insert([a.min(b), a.max(b)]) && !trees.sources.contains(&true);
-                ensure(
-                    is_claimed && is_new,
-                    "the pair is not claimed so, had its line, or is late",
-                )?;
+                ensure(is_claimed && is_new, "not claimed so, shown before, or after a tree")?;
                 let check = if kind == "open" { check_open } else { check_grazing };
                 check(&mut fields, &graph, [a, b])?;
             }
