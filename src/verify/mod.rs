@@ -11,7 +11,7 @@ mod tree;
 use exact::{Graph, Vector, join, order, range, side, sign_of_surd};
 use num_bigint::BigInt;
 use num_bigint::Sign::{Minus, NoSign, Plus};
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 use std::io::BufRead;
 use text::{Checked, Fields, Reader, ensure};
 use tree::Trees;
@@ -61,7 +61,7 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     }
     let mut verified = Verified::default();
     let mut trees = Trees::new(&graph, &claims);
-    let mut shown = HashSet::new();
+    let mut shown = BTreeSet::new();
     loop {
         let mut fields = reader.next()?;
         match fields.peek() {

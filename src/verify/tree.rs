@@ -68,21 +68,23 @@ impl<'a> Trees<'a> {
         let is_new = !parent.children.contains(&portal);
         ensure(goes_on && is_new, "the node does not go on from its parent, or a second time")?;
         parent.children.push(portal);
+        let kind = fields.peek();
+        let goes_on = !matches!(kind, "l" | "i" | "s");
         let narrowed = |set: &[bool]| -> Vec<bool> {
-            set.iter().zip(&self.claims[cell]).map(|(&has, &claim)| has && claim >= 2).collect()
+            let may_see = self.claims[cell].iter().map(|&claim| goes_on && claim >= 2);
+            set.iter().zip(may_see).map(|(&has, may_see)| has && may_see).collect()
         };
-        let (mut seen, mut targets) = (narrowed(&parent.seen), narrowed(&parent.targets));
+        let (mut seen, targets) = (narrowed(&parent.seen), narrowed(&parent.targets));
         seen[cell] = false;
         self.sequence.push(directed);
         verified.nodes[0] += 1;
         let mut cuts = Vec::new();
-        if let kind @ ("l" | "i" | "s") = fields.peek() {
-            (seen.fill(false), targets.fill(false));
-            verified.nodes[if kind == "l" { 1 } else { 2 }] += 1;
-            self.check_refutation(fields)?;
-        } else {
+        if goes_on {
             ensure(!enters_target, "a target is entered by a sequence that is not refuted")?;
             cuts = self.cuts(fields)?;
+        } else {
+            verified.nodes[if kind == "l" { 1 } else { 2 }] += 1;
+            self.check_refutation(fields)?;
         }
         self.nodes.push(Node { cell, seen, targets, children: Vec::new(), cuts });
         fields.end()
