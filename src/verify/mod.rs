@@ -48,7 +48,7 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     reader.next()?.word("input")?;
     let graph = Graph::read(reader)?;
     let cells = graph.leaving.len();
-    reader.next()?.word("claims")?;
+    ensure(reader.next()?.rest == "claims", "expected \"claims\"")?;
     let mut claims = Claims::new();
     for cell in 0..cells {
         let digits = reader.next()?.rest.bytes();
@@ -69,8 +69,8 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
                 fields.take()?;
                 let [a, b] = [fields.index(cells)?, fields.index(cells)?];
                 let is_claimed = a != b && claims[a][b] == 1 + u8::from(kind == "open");
-                let is_new = shown.insert([a.min(b), a.max(b)]);
-                ensure(is_claimed && is_new, "the pair is not claimed so, or had its line")?;
+                let is_new = shown.insert([a.min(b), a.max(b)]) && !trees.sources.contains(&true);
+                ensure(is_claimed && is_new, "not claimed so, shown before, or after a tree")?;
                 let check = if kind == "open" { check_open } else { check_grazing };
                 check(&mut fields, &graph, [a, b])?;
             }

@@ -152,7 +152,7 @@ impl<'a> Trees<'a> {
     /// A vector, and whether a line of the sequence must be strictly on its positive side.
     fn factor(&self, fields: &mut Fields) -> Checked<(Vector, bool)> {
         let field = fields.take()?;
-        let number = |text: &str| text.parse::<usize>().ok();
+        let number = |text: &str| text.parse().ok().filter(|n: &usize| n.to_string() == text);
         let find = || match (field.strip_prefix('o').map(number), field.strip_prefix('h')) {
             (Some(place), _) => {
                 let before = self.sequence.get(place?.checked_sub(1)?)?;
