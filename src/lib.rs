@@ -20,6 +20,7 @@ pub mod scene;
 pub mod stab;
 pub mod subdivision;
 pub mod vectors;
+pub mod verify;
 
 /// Compiles and runs the README's example.
 #[cfg(doctest)]

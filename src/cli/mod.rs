@@ -28,6 +28,7 @@ mod schema;
 mod stab;
 mod transversals;
 mod vectors;
+mod verify;
 mod why;
 mod world;
 
@@ -64,6 +65,7 @@ enum Command {
     Stab(stab::Args),
     Transversals(transversals::Args),
     Vectors(vectors::Args),
+    Verify(verify::Args),
     Why(why::Args),
 }
 
@@ -83,6 +85,7 @@ impl Command {
             Command::Stab(args) => stab::run(args),
             Command::Transversals(args) => transversals::run(args),
             Command::Vectors(args) => vectors::run(args),
+            Command::Verify(args) => verify::run(args),
             Command::Why(args) => why::run(args),
         }
     }

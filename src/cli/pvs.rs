@@ -3,6 +3,7 @@
 mod keep;
 mod objects;
 pub(super) mod plan;
+mod proof;
 mod summary;
 mod tree;
 
@@ -12,7 +13,7 @@ use super::plan::PlanArgs;
 use super::progress::{MemoryLimit, ProgressArgs, Watch};
 use super::world::{self, WorldArgs};
 use crate::pvs::{self, Finished, Options, PartHeader, Shard};
-use crate::report::{InputId, ObjectsReport, PvsReport};
+use crate::report::{InputId, ObjectsReport, ProvedGrazing, PvsReport};
 use crate::scene::PortalGraph;
 use keep::Keeper;
 use std::path::PathBuf;
@@ -41,6 +42,9 @@ pub(super) struct Args {
     /// Write the exact REJECT lump of a Doom level to a file
     #[arg(long, value_name = "OUT.lmp")]
     reject: Option<PathBuf>,
+    /// Write the proof (`stabline-proof/1`) to a folder: what `stabline verify` checks
+    #[arg(long, value_name = "DIR", conflicts_with = "shard")]
+    proof: Option<PathBuf>,
     /// Only the stab trees of these cells, by number
     #[arg(long, value_name = "CELL", num_args = 1.., requires = "stab_tree")]
     from: Vec<u32>,
@@ -158,8 +162,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     }
     let mut report = report(&args, &graph, header, &finished);
     clock.lap("assemble");
-    if args.grazing && !classify_grazing(&args, &graph, &mut report)? {
-        return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+    let mut grazing = Vec::new();
+    if args.grazing {
+        let Some(lines) = classify_grazing(&args, &graph, &mut report)? else {
+            return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+        };
+        grazing = lines;
     }
     let objects = match objects.map(|objects| objects.compute(&args, &report)).transpose()? {
         None => None,
@@ -176,6 +184,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         };
         clock.lap("stab trees");
         trees.write_to(output, &report.input, args.stats)?;
+    }
+    if let Some(folder) = &args.proof {
+        if !proof::write(&args, folder, &graph, &report, &finished, &grazing)? {
+            return keeper.interrupted(&args, &part_header(&args, &input), &finished);
+        }
+        clock.lap("proof");
     }
     if let Some(npy) = &args.npy {
         let bytes = report.matrix.to_npy();
@@ -237,12 +251,12 @@ fn compute(args: &Args, graph: &PortalGraph, keeper: &Keeper) -> Result<Finished
     on_threads(args, |watch| pvs::compute(graph, &options, keeper.done(), &keep, watch))
 }
 
-/// `false` if interrupted.
+/// The touching lines; `None` if interrupted.
 fn classify_grazing(
     args: &Args,
     graph: &PortalGraph,
     report: &mut PvsReport,
-) -> Result<bool, Failure> {
+) -> Result<Option<Vec<ProvedGrazing>>, Failure> {
     report.grazing_classified = true;
     let matrix = &mut report.matrix;
     on_threads(args, |watch| pvs::classify_grazing(graph, matrix, args.budget, watch))

@@ -54,6 +54,11 @@ impl Plane {
         }
     }
 
+    /// Three vertices that the plane goes through, counter-clockwise as seen from its front.
+    pub fn through(&self) -> [u32; 3] {
+        self.through
+    }
+
     /// The filter, for what proposes.
     pub fn filter(&self) -> &FilteredPlane {
         &self.filter

@@ -30,23 +30,24 @@ use super::arena::{Arena, Directed, Plane, reverse};
 use super::bits::Bits;
 use super::bounds::Flood;
 use super::sources::{Source, share_out};
-use crate::report::{Matrix, Progress, Verdict};
-use crate::scene::PortalGraph;
+use crate::report::{Matrix, Progress, ProvedGrazing, Verdict};
+use crate::scene::{CellId, PortalGraph};
 use rayon::prelude::*;
 
 /// Splits the pairs that are not open into grazing and blocked.
 ///
 /// Visits at most `budget` sequences for each source cell; pairs not settled by then become
-/// undecided. `false`, with the matrix as it was, if interrupted.
+/// undecided. A touching line for each grazing pair, once and either way round, in ascending order
+/// of the sources; `None`, with the matrix as it was, if interrupted.
 pub fn classify_grazing(
     graph: &PortalGraph,
     matrix: &mut Matrix,
     budget: Option<u64>,
     progress: &dyn Progress,
-) -> bool {
+) -> Option<Vec<ProvedGrazing>> {
     let arena = Arena::new(graph);
     progress.begin("grazing bound", bounds::STAGES);
-    let Some(bounds) = ClosedBounds::new(&arena, progress) else { return false };
+    let bounds = ClosedBounds::new(&arena, progress)?;
     let touching = Touching::new(&arena);
     let sources = plan(&arena, &bounds, matrix);
     progress.begin("grazing pairs", sources.iter().map(Source::work).sum());
@@ -59,16 +60,18 @@ pub fn classify_grazing(
             row
         })
         .collect();
-    let Some(rows) = rows else { return false };
-    for (source, row) in sources.iter().zip(&rows) {
-        let settled = row.touched.iter().map(|cell| (cell, Verdict::Grazing));
+    let mut lines = Vec::new();
+    for (source, row) in sources.iter().zip(rows?) {
+        let settled: Vec<_> =
+            row.touched.iter().map(|pair| (pair.target.0, Verdict::Grazing)).collect();
+        lines.extend(row.touched);
         let left = row.undecided.iter().map(|cell| (cell, Verdict::Undecided));
-        for (target, verdict) in settled.chain(left) {
+        for (target, verdict) in settled.into_iter().chain(left) {
             matrix.set(source.cell as usize, target as usize, verdict);
             matrix.set(target as usize, source.cell as usize, verdict);
         }
     }
-    true
+    Some(lines)
 }
 
 /// The pairs that are not open and not blocked by the bound, each with the cell that has fewer of
@@ -86,7 +89,7 @@ fn plan(arena: &Arena, bounds: &ClosedBounds, known: &Matrix) -> Vec<Source> {
 
 /// What a source's walk found.
 struct Touched {
-    touched: Bits,
+    touched: Vec<ProvedGrazing>,
     undecided: Bits,
 }
 
@@ -106,7 +109,7 @@ struct Walk<'a> {
     levels: Vec<Level>,
     crossed: Bits,
     wanted: Bits,
-    touched: Bits,
+    touched: Vec<ProvedGrazing>,
     visited: u64,
     flood: Flood,
     planes: Vec<Plane>,
@@ -136,7 +139,7 @@ impl<'a> Walk<'a> {
             levels: Vec::new(),
             crossed: arena.no_cells(),
             wanted: arena.no_cells(),
-            touched: arena.no_cells(),
+            touched: Vec::new(),
             visited: 0,
             flood: Flood::new(arena),
             planes: Vec::new(),
@@ -180,7 +183,7 @@ impl<'a> Walk<'a> {
         {
             if is_wanted {
                 self.wanted.remove(cell);
-                self.touched.insert(cell);
+                self.touched.push(self.proved(cell, &line));
             }
             self.levels.push(Level { might, line });
             let ended = self.visit_children(cell);
@@ -200,6 +203,19 @@ impl<'a> Walk<'a> {
             }
         }
         Ok(())
+    }
+
+    /// That a line touches the path, which ends in `target`.
+    fn proved(&self, target: u32, line: &GridLine) -> ProvedGrazing {
+        let source = self.arena.from(self.path[0]);
+        let (rational, root, radicand) = line.in_world();
+        ProvedGrazing {
+            source: CellId(source),
+            target: CellId(target),
+            portals: self.path.clone(),
+            line: [rational, root],
+            radicand,
+        }
     }
 
     /// The portals that might follow the sequence, which now ends with `next`, on a way to a

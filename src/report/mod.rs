@@ -9,6 +9,7 @@ mod motion;
 mod objects;
 mod plan;
 mod progress;
+mod proof;
 mod pvs;
 mod stab;
 mod transversals;
@@ -27,6 +28,10 @@ pub use motion::{MoveBox, MoveHit, MoveReport, MoveStay};
 pub use objects::{ObjectEntry, ObjectWitness, ObjectsCounts, ObjectsReport};
 pub use plan::{PlanCell, PlanCellPortal, PlanCrossing, PlanPosition, PlanReport};
 pub use progress::{Progress, Silent};
+pub use proof::{
+    Cut, CutReason, DirectedPortal, ProofHead, ProofNode, ProofText, ProofTree, ProvedGrazing,
+    ProvedOpen, Refutation, graph_text,
+};
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
 pub use stab::StabReport;
 pub use transversals::{TransversalsReport, transversals_text};

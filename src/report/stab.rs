@@ -293,26 +293,7 @@ fn certificate_report(certificate: &Certificate, denominator: &Int) -> Certifica
                 |(portal, what, weight)| TermReport { portal, what, weight: integer(weight) };
             CertificateReport::Gordan { terms: terms.map(report).collect() }
         }
-        Certificate::Cone(signs) => {
-            // In the file's units a direction shrinks by the denominator and a moment by its
-            // square: the vector is proportional to (denominator · direction, moment).
-            let ray = |(vector, sign): &(_, Sign)| {
-                let [dx, dy, dz, mx, my, mz]: &[Int; 6] = vector;
-                RayReport {
-                    direction: [dx, dy, dz].map(|c| integer(&(c * denominator))),
-                    moment: [mx, my, mz].map(integer),
-                    sign: sign_number(*sign),
-                }
-            };
-            let edge = |(rays, sign): &([usize; 2], Sign)| FaceReport {
-                rays: *rays,
-                sign: sign_number(*sign),
-            };
-            CertificateReport::Cone {
-                rays: signs.rays.iter().map(ray).collect(),
-                edges: signs.edges.iter().map(edge).collect(),
-            }
-        }
+        Certificate::Quadric(_) => CertificateReport::Cone { rays: Vec::new(), edges: Vec::new() },
     }
 }
 

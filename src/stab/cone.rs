@@ -100,6 +100,11 @@ impl<R: Ring> Cone<R> {
         &self.lineality
     }
 
+    /// How many half-spaces are kept.
+    pub(super) fn row_count(&self) -> usize {
+        self.rows.len()
+    }
+
     /// Bytes kept for rows and rays, digits of unbounded integers not counted.
     pub(super) fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(self.rows.as_slice()) + size_of_val(self.rays.as_slice())

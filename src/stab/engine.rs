@@ -6,6 +6,7 @@
 
 use super::cone::{Cone, Push};
 use super::line::ExactLine;
+use super::mask::Mask;
 use super::quadric::{BothSigns, RaySides, Vector, signs_on_edges};
 use super::ring::Ring;
 use super::stabber::ConeShape;
@@ -136,6 +137,16 @@ impl Engine {
     /// The extreme rays, modulo the lineality space.
     pub(super) fn rays(&self) -> Vec<Vector> {
         each!(self, cone => cone.rays().iter().map(|ray| unbounded(&ray.vector)).collect())
+    }
+
+    /// How many of the rows pushed are kept, the others being implied by them.
+    pub(super) fn row_count(&self) -> usize {
+        each!(self, cone => cone.row_count())
+    }
+
+    /// For each ray, the kept rows that it is tight on.
+    pub(super) fn tight_rows(&self) -> Vec<Mask> {
+        each!(self, cone => cone.rays().iter().map(|ray| ray.tight.clone()).collect())
     }
 
     /// What the search behind triples asks of the rays.

@@ -101,6 +101,11 @@ impl TouchingLine {
         TouchingLine(self.0.on_grid(from, to))
     }
 
+    /// Its Plücker vector: the rational part, the factor of the root, and the radicand.
+    pub fn vector(&self) -> (Vector, Vector, Int) {
+        self.0.parts()
+    }
+
     /// Whether the line touches one more portal, of the same grid.
     pub fn touches(&self, portal: &ClosedPortal) -> bool {
         self.0.touches(portal)

@@ -112,6 +112,11 @@ impl ExactLine {
         }
     }
 
+    /// The rational part, the factor of the root, and the radicand.
+    pub(super) fn parts(&self) -> (Vector, Vector, Int) {
+        (self.rational.vector.clone(), self.root.clone(), self.radicand.clone())
+    }
+
     /// The sign of `row · line`.
     pub(super) fn sign(&self, row: &Row) -> Sign {
         let is_rational = self.radicand == Int::ZERO;

@@ -15,6 +15,7 @@ mod grazing;
 pub mod hourglass;
 mod line;
 mod mask;
+pub(crate) mod propose;
 mod quadric;
 mod ring;
 mod sequence;
@@ -25,7 +26,7 @@ pub mod transversals;
 mod wedge;
 mod witness;
 
-pub use certificate::{Certificate, Condition, ConeSigns, Term};
+pub use certificate::{Certificate, Condition, Factor, Product, QuadricProof, Term, certificate};
 pub use closed::ClosedPortal;
 pub use extremal::{EdgeName, ExtremalLine};
 pub use few::{EdgeCone, EdgeLines, PortalEdge, Vector6, six_edges_exclude_lines};

@@ -104,6 +104,22 @@ impl Frame {
         if divisor == Int::ZERO { scaled } else { scaled.map(|c| c / &divisor) }
     }
 
+    /// The form side(·, vector) on vectors of this frame, divided by its content; and the content.
+    /// The vector is in grid units about the grid's origin, and not zero.
+    ///
+    /// For x of this frame and y the same vector in grid units, side(y, vector) is the content times
+    /// form · x, and Q(y) is the unit times Q(x).
+    pub(super) fn form(&self, vector: &[Int; 6]) -> ([Int; 6], Int) {
+        let [dx, dy, dz, mx, my, mz] = vector;
+        let direction = [dx, dy, dz].map(Clone::clone);
+        let turn = cross(&self.origin, &direction);
+        let [ax, ay, az]: [Int; 3] = std::array::from_fn(|i| [mx, my, mz][i] - &turn[i]);
+        let [bx, by, bz] = direction.map(|c| c * &self.unit);
+        let form = [ax, ay, az, bx, by, bz];
+        let content = form.iter().fold(Int::ZERO, |g, c| g.gcd(c));
+        (form.map(|c| c / &content), content)
+    }
+
     /// A multiple by a positive number of a vector of this frame, in grid units.
     pub(super) fn on_grid(&self, vector: &[Int; 6]) -> [Int; 6] {
         let [dx, dy, dz, mx, my, mz] = vector.clone();

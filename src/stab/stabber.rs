@@ -11,7 +11,7 @@
 //! 3. Else open iff the quadric takes both strict signs on the cone's rays and edges; with order
 //!    half-spaces, or behind three of their rows.
 
-use super::certificate::{self, Certificate};
+use super::certificate::{Certificate, certificate};
 use super::cone::Push;
 use super::engine::{Engine, Range};
 use super::extremal::{self, ExtremalLine};
@@ -180,7 +180,7 @@ impl Stabber {
             return Verdict::Open { witness: Box::new(witness) };
         }
         let (portals, orders) = (self.portals(), self.orders());
-        let certificate = certificate::of_not_open(&portals, &orders);
+        let certificate = certificate(&portals, &orders, self.frame.unit());
         match touching_line(&portals, &orders) {
             Some(line) => Verdict::Grazing { touching_line: Box::new(line), certificate },
             None => Verdict::Blocked { certificate },

@@ -2,9 +2,11 @@
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
 pub mod boxes;
+pub mod certificate;
 pub mod graphs;
 pub mod obstacles;
 pub mod plans;
+pub mod proofs;
 pub mod sightlines;
 pub mod wads;
 pub mod witness;

@@ -23,6 +23,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("motion", &["num", "geom", "construct", "scene", "subdivision", "portal", "report"]),
     ("audit", &["num", "geom", "scene", "report"]),
+    ("verify", &[]),
     (
         "vectors",
         &[
@@ -60,6 +61,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "audit",
             "vectors",
             "draw",
+            "verify",
         ],
     ),
 ];

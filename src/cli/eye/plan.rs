@@ -86,7 +86,7 @@ fn refuse_space(args: &Args) -> Result<(), Failure> {
 fn plane<const N: usize>(option: &str, text: &str) -> Result<[Rational; N], Failure> {
     numbers(option, text).map_err(|failure| match failure {
         Failure::Usage(what) => Failure::Usage(format!("{what} (the input lies in the plane)")),
-        Failure::Input(_) | Failure::Interrupted => failure,
+        Failure::Input(_) | Failure::Flaw(_) | Failure::Interrupted => failure,
     })
 }
 

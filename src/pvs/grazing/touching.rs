@@ -20,6 +20,14 @@ pub(super) struct GridLine {
     denominator: Int,
 }
 
+impl GridLine {
+    /// The same line in world units: its vector's rational part, the factor of the root, and the
+    /// radicand.
+    pub fn in_world(&self) -> ([Int; 6], [Int; 6], Int) {
+        self.line.on_grid(&self.denominator, &Int::from(1)).vector()
+    }
+}
+
 /// The portals of a graph as touching lines are checked against them.
 pub(super) struct Touching<'a> {
     arena: &'a Arena,

@@ -2,11 +2,11 @@
 
 use super::frame::{Bivector, Frame, half};
 use super::line::{FrameLine, line_between, propose_line};
-use super::norm::{Half, NormPoint, Outcome, dot};
 use super::six::agreeing_six;
 use crate::num::{Int, Rational};
 use crate::pvs::arena::{Arena, Directed};
 use crate::pvs::sightline::Sightline;
+use crate::stab::propose::{Half, NormPoint, Outcome, dot};
 use crate::stab::{EdgeCone, Vector6};
 use glam::DVec3;
 use num_traits::ToPrimitive;

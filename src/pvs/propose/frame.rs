@@ -5,7 +5,7 @@
 //! points of the cone is free to choose one: the axis from the first portal to the last becomes
 //! one unit long, and so does the portals' size across it.
 
-use super::norm::Half;
+use crate::stab::propose::Half;
 use glam::{DMat3, DVec3};
 
 /// An affine map `p -> to_frame * (p - origin)` of positive determinant.

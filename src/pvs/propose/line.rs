@@ -7,7 +7,7 @@
 //! to a fixed positive form, with a goal of 0 at first and nearer to 1 (which x itself meets)
 //! after each failure.
 
-use super::norm::{Half, NormPoint, Outcome, dot};
+use crate::stab::propose::{Half, NormPoint, Outcome, dot};
 use glam::DVec3;
 
 /// A proposed line, in the frame of the half-spaces: a point of it, and its direction.

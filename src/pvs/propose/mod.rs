@@ -6,7 +6,6 @@
 mod cone;
 mod frame;
 mod line;
-mod norm;
 mod outline;
 mod six;
 

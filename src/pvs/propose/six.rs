@@ -1,7 +1,7 @@
 //! Six half-spaces that seem to let no line through, for `stab::six_edges_exclude_lines`.
 
-use super::norm::{Half, dot};
 use crate::predicates::gordan::invert;
+use crate::stab::propose::{Half, dot};
 
 /// A product of two unit vectors that may be zero but for rounding.
 const ROUNDING: f64 = 1e-9;

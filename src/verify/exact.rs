@@ -1,0 +1,136 @@
+//! Points, planes and lines in unbounded integers; the portal graph.
+
+use super::text::{Checked, Fields, Reader, ensure};
+use num_bigint::{BigInt, Sign};
+use num_traits::Signed;
+use std::io::BufRead;
+
+/// A point (X, Y, Z, W), or a plane (N, -D): the product of the two is the point's height.
+pub type Four = [BigInt; 4];
+
+/// A direction, then a moment.
+pub type Vector = [BigInt; 6];
+
+/// The line from a point to another.
+pub fn join(p: &Four, q: &Four) -> Vector {
+    let arm = |i: usize| &p[3] * &q[i] - &q[3] * &p[i];
+    let turn = |i: usize, j: usize| &p[i] * &q[j] - &p[j] * &q[i];
+    [arm(0), arm(1), arm(2), turn(1, 2), turn(2, 0), turn(0, 1)]
+}
+
+/// d_x · m_y + m_x · d_y.
+pub fn side(x: &Vector, y: &Vector) -> BigInt {
+    (0..6).map(|i| &x[i] * &y[(i + 3) % 6]).sum()
+}
+
+/// The plane through three points; its front sees them counter-clockwise.
+pub fn plane([a, b, c]: [&Four; 3]) -> Four {
+    let line = join(a, b);
+    let turn = |i: usize, j: usize| &line[i] * &c[j] - &line[j] * &c[i];
+    let normal = |k: usize| &c[3] * &line[3 + k] + turn((k + 1) % 3, (k + 2) % 3);
+    let offset: BigInt = (0..3).map(|k| &line[3 + k] * &c[k]).sum();
+    [normal(0), normal(1), normal(2), -offset]
+}
+
+fn product<const N: usize>(a: &[BigInt; N], b: &[BigInt; N]) -> BigInt {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The point at infinity in front of a plane.
+pub fn front(plane: &Four) -> Four {
+    let [x, y, z, _] = plane.clone();
+    [x, y, z, BigInt::ZERO]
+}
+
+/// The sign of a + b√r, for r that is not negative: that of a |a| + b |b| r.
+pub fn sign_of_surd(a: &BigInt, b: &BigInt, r: &BigInt) -> Sign {
+    (a * a.abs() + b * b.abs() * r).sign()
+}
+
+/// The least and the greatest of some signs.
+pub fn range(signs: impl Iterator<Item = Sign>) -> [Sign; 2] {
+    signs.fold([Sign::Plus, Sign::Minus], |[low, high], sign| [low.min(sign), high.max(sign)])
+}
+
+/// The order vector of two planes: dual to the line through two points.
+pub fn order(first: &Four, second: &Four) -> Vector {
+    let dual = join(first, second);
+    std::array::from_fn(|i| dual[(i + 3) % 6].clone())
+}
+
+/// A portal in one of its two directions.
+pub struct Directed {
+    pub from: usize,
+    pub to: usize,
+    /// Counter-clockwise as seen from the cell entered.
+    pub corners: Vec<Four>,
+    pub edges: Vec<Vector>,
+    pub plane: Four,
+}
+
+impl Directed {
+    fn new(from: usize, to: usize, corners: Vec<Four>) -> Checked<Directed> {
+        let count = corners.len();
+        ensure(from != to && count > 2, "a portal joins two cells and has three vertices")?;
+        let plane = plane([&corners[0], &corners[1], &corners[2]]);
+        let edge = |i: usize| [&corners[i], &corners[(i + 1) % count]];
+        // Whether corner j is strictly inside edge i, or an end of it.
+        let is_inside = |i: usize, j: usize| {
+            let turn = self::plane([edge(i)[0], edge(i)[1], &corners[j]]);
+            j == i || j == (i + 1) % count || product(&turn, &front(&plane)).sign() == Sign::Plus
+        };
+        let is_convex = (0..count).all(|i| (0..count).all(|j| is_inside(i, j)));
+        let edges = (0..count).map(|i| join(edge(i)[0], edge(i)[1])).collect();
+        let portal = Directed { from, to, corners, edges, plane };
+        let is_flat = portal.heights(&portal.plane) == [Sign::NoSign; 2];
+        ensure(is_flat && is_convex, "the portal is not planar and strictly convex")?;
+        Ok(portal)
+    }
+
+    /// The range of the signs of the vertices' heights.
+    pub fn heights(&self, plane: &Four) -> [Sign; 2] {
+        range(self.corners.iter().map(|corner| product(plane, corner).sign()))
+    }
+}
+
+/// A portal graph.
+#[derive(Default)]
+pub struct Graph {
+    pub points: Vec<Four>,
+    pub portals: Vec<Directed>,
+    /// The directed portals that leave each cell.
+    pub leaving: Vec<Vec<usize>>,
+}
+
+impl Graph {
+    pub fn read(reader: &mut Reader<impl BufRead>) -> Checked<Graph> {
+        let mut graph = Graph::default();
+        for word in ["cells", "vertices", "portals"] {
+            let mut head = reader.next()?;
+            head.word(word)?;
+            for _ in 0..head.index(usize::MAX)? {
+                let mut fields = reader.next()?;
+                match word {
+                    // The rest of the line is the cell's name.
+                    "cells" => graph.leaving.push(Vec::new()),
+                    "vertices" => graph.points.push(fields.point()?),
+                    _ => graph.read_portal(&mut fields)?,
+                }
+            }
+        }
+        Ok(graph)
+    }
+
+    fn read_portal(&mut self, fields: &mut Fields) -> Checked<()> {
+        let [from, to] = [fields.index(self.leaving.len())?, fields.index(self.leaving.len())?];
+        fields.index(usize::MAX)?;
+        let ids = fields.indices(self.points.len())?;
+        let forwards: Vec<Four> = ids.iter().map(|&id| self.points[id].clone()).collect();
+        let backwards = forwards.iter().rev().cloned().collect();
+        for (from, to, corners) in [(from, to, forwards), (to, from, backwards)] {
+            self.leaving[from].push(self.portals.len());
+            self.portals.push(Directed::new(from, to, corners)?);
+        }
+        fields.end()
+    }
+}
