@@ -70,3 +70,15 @@ fn real_maps() {
         assert!(verified.nodes[0] > nodes, "{name}");
     }
 }
+
+#[test]
+fn the_checker_can_be_read_in_one_sitting() {
+    let sources = support::scenes("src/verify");
+    let lines = |path: &std::path::PathBuf| std::fs::read_to_string(path).unwrap().lines().count();
+    let total: usize = sources.iter().map(lines).sum();
+    assert!(total < 600, "{total} lines");
+    for path in &sources {
+        let text = std::fs::read_to_string(path).unwrap();
+        assert!(!text.contains("crate::"), "{}: nothing of the engine", path.display());
+    }
+}

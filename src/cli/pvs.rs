@@ -186,7 +186,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         trees.write_to(output, &report.input, args.stats)?;
     }
     if let Some(folder) = &args.proof {
-        if !proof::write(&args, folder, &graph, &report, &finished, &grazing)? {
+        if !proof::write(&args, folder, &graph, &report, &finished.rows, &grazing)? {
             return keeper.interrupted(&args, &part_header(&args, &input), &finished);
         }
         clock.lap("proof");

@@ -3,8 +3,9 @@
 use super::exit::{Exit, Failure};
 use super::files::{self, Input};
 use crate::report::graph_text;
-use crate::scene;
+use crate::scene::plan::{PlanInput, read_plan};
 use crate::scene::world::InputKind;
+use crate::scene::{self, PortalGraph};
 use crate::verify::{Verified, verify};
 use flate2::bufread::MultiGzDecoder;
 use std::fs::File;
@@ -64,16 +65,15 @@ fn proof_file(path: &Path) -> PathBuf {
 /// Whether the proof could be matched with the input, whose graph it then states; the graph of an
 /// input that is geometry is of this program's making, and says nothing to who does not trust it.
 fn matches(path: &Path, input: &Input) -> Result<bool, Failure> {
-    let is_graph = matches!(InputKind::of(&input.name, &input.bytes), Ok(InputKind::Graph));
-    if !is_graph {
+    let Some(graph) = stated_graph(input)? else {
         eprintln!(
             "{}: not matched: only a portal file or a JSON portal graph can be; the proof holds \
              for the portal graph that it states",
             input.name
         );
         return Ok(false);
-    }
-    let read = graph_text(&scene::read_graph(&input.name, &input.bytes)?);
+    };
+    let read = graph_text(&graph);
     let unreadable = |error: std::io::Error| Failure::system("read", path, &error);
     // The graph follows three lines of the head.
     let mut stated = open(path)?.lines().skip(3);
@@ -90,6 +90,21 @@ fn matches(path: &Path, input: &Input) -> Result<bool, Failure> {
     }
     // As many lines of the graph follow as it states, so here it ends.
     Ok(true)
+}
+
+/// The portal graph that an input states, if it states one; one of the plane as its portals with a
+/// height of 1.
+fn stated_graph(input: &Input) -> Result<Option<PortalGraph>, Failure> {
+    match InputKind::of(&input.name, &input.bytes) {
+        Ok(InputKind::Graph) => Ok(Some(scene::read_graph(&input.name, &input.bytes)?)),
+        Ok(InputKind::Plan) => match read_plan(&input.name, &input.bytes)? {
+            PlanInput::Graph(graph) => Ok(Some(graph.in_space())),
+            PlanInput::Plan(_) => Ok(None),
+        },
+        Ok(InputKind::Map | InputKind::Obj | InputKind::Gltf | InputKind::Geometry) | Err(_) => {
+            Ok(None)
+        }
+    }
 }
 
 fn text(verified: &Verified) -> String {

@@ -32,16 +32,6 @@ pub fn plane([a, b, c]: [&Four; 3]) -> Four {
     [normal(0), normal(1), normal(2), -offset]
 }
 
-fn product<const N: usize>(a: &[BigInt; N], b: &[BigInt; N]) -> BigInt {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The point at infinity in front of a plane.
-pub fn front(plane: &Four) -> Four {
-    let [x, y, z, _] = plane.clone();
-    [x, y, z, BigInt::ZERO]
-}
-
 /// The sign of a + b√r, for r that is not negative: that of a |a| + b |b| r.
 pub fn sign_of_surd(a: &BigInt, b: &BigInt, r: &BigInt) -> Sign {
     (a * a.abs() + b * b.abs() * r).sign()
@@ -65,6 +55,8 @@ pub struct Directed {
     /// Counter-clockwise as seen from the cell entered.
     pub corners: Vec<Four>,
     pub edges: Vec<Vector>,
+    /// The lines through the corners that are normal to the plane.
+    pub normals: Vec<Vector>,
     pub plane: Four,
 }
 
@@ -73,23 +65,23 @@ impl Directed {
         let count = corners.len();
         ensure(from != to && count > 2, "a portal joins two cells and has three vertices")?;
         let plane = plane([&corners[0], &corners[1], &corners[2]]);
-        let edge = |i: usize| [&corners[i], &corners[(i + 1) % count]];
-        // Whether corner j is strictly inside edge i, or an end of it.
-        let is_inside = |i: usize, j: usize| {
-            let turn = self::plane([edge(i)[0], edge(i)[1], &corners[j]]);
-            j == i || j == (i + 1) % count || product(&turn, &front(&plane)).sign() == Sign::Plus
-        };
-        let is_convex = (0..count).all(|i| (0..count).all(|j| is_inside(i, j)));
-        let edges = (0..count).map(|i| join(edge(i)[0], edge(i)[1])).collect();
-        let portal = Directed { from, to, corners, edges, plane };
+        let front = [plane[0].clone(), plane[1].clone(), plane[2].clone(), BigInt::ZERO];
+        let edge = |i: usize| join(&corners[i], &corners[(i + 1) % count]);
+        let edges: Vec<_> = (0..count).map(edge).collect();
+        let normals: Vec<_> = corners.iter().map(|corner| join(corner, &front)).collect();
+        // Every other corner is strictly on the inner side of each edge.
+        let is_inside = |i: usize, j: usize| side(&edges[i], &normals[j]).sign() == Sign::Plus;
+        let mut others = (0..count * (count - 2)).map(|n| (n / (count - 2), n % (count - 2) + 2));
+        let is_convex = others.all(|(i, step)| is_inside(i, (i + step) % count));
+        let portal = Directed { from, to, corners, edges, normals, plane };
         let is_flat = portal.heights(&portal.plane) == [Sign::NoSign; 2];
-        ensure(is_flat && is_convex, "the portal is not planar and strictly convex")?;
-        Ok(portal)
+        ensure(is_flat && is_convex, "the portal is not planar and convex").map(|()| portal)
     }
 
     /// The range of the signs of the vertices' heights.
     pub fn heights(&self, plane: &Four) -> [Sign; 2] {
-        range(self.corners.iter().map(|corner| product(plane, corner).sign()))
+        let height = |corner: &Four| (0..4).map(|i| &plane[i] * &corner[i]).sum::<BigInt>();
+        range(self.corners.iter().map(|corner| height(corner).sign()))
     }
 }
 
@@ -132,5 +124,20 @@ impl Graph {
             self.portals.push(Directed::new(from, to, corners)?);
         }
         fields.end()
+    }
+
+    /// The rest of the fields: a sequence from one cell to another.
+    pub fn sequence(&self, fields: &mut Fields, [a, b]: [usize; 2]) -> Checked<Vec<&Directed>> {
+        let mut crossed = vec![a];
+        let mut sequence = Vec::new();
+        for portal in fields.indices(self.portals.len())? {
+            let portal = &self.portals[portal];
+            let goes_on = crossed.last() == Some(&portal.from) && !crossed.contains(&portal.to);
+            ensure(goes_on, "a portal does not go on from the cell before into a new one")?;
+            crossed.push(portal.to);
+            sequence.push(portal);
+        }
+        ensure(crossed.last() == Some(&b), "the sequence does not end in the pair's cell")?;
+        fields.end().map(|()| sequence)
     }
 }

@@ -2,14 +2,13 @@
 //!
 //! It shares nothing with the engine that made them: no predicate, no type, no float; only
 //! unbounded integers and the format's page, `docs/formats/proof.md`, which says what every line
-//! means and why the whole is a proof. Linear in the text, but for one flood through the graph
-//! for each node of a tree.
+//! means and why the whole is a proof. Linear in the text, but for a flood for each node of a tree.
 
 mod exact;
 mod text;
 mod tree;
 
-use exact::{Four, Graph, Vector, front, join, order, range, side, sign_of_surd};
+use exact::{Graph, Vector, join, order, range, side, sign_of_surd};
 use num_bigint::BigInt;
 use num_bigint::Sign::{Minus, NoSign, Plus};
 use std::collections::HashSet;
@@ -25,16 +24,13 @@ pub struct Flaw(pub u64, pub String);
 /// What a proof that holds has proved.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verified {
-    /// Unordered pairs of different cells by their claims: not open (blocked or not classified),
-    /// grazing, open, and those of which nothing is claimed.
+    /// Unordered pairs of different cells by their claims: not open, grazing, open, none.
     pub pairs: [usize; 4],
-    /// Nodes of all trees, and those that are refuted by a linear combination of their conditions
-    /// and by a quadratic one.
+    /// Nodes of all trees; those refuted by a linear combination, and by a quadratic one or splits.
     pub nodes: [usize; 3],
 }
 
-/// What is claimed of each two cells: 0 not open, 1 grazing, 2 open, 3 nothing; from 2 on they may
-/// see each other.
+/// What is claimed of each two cells: 0 not open, 1 grazing, 2 open, 3 nothing.
 type Claims = Vec<Vec<u8>>;
 
 /// Checks a whole proof.
@@ -42,8 +38,7 @@ type Claims = Vec<Vec<u8>>;
 /// # Errors
 /// The first thing that does not hold, or cannot be read.
 pub fn verify(input: impl BufRead) -> Result<Verified, Flaw> {
-    let (line, hash) = Default::default();
-    let mut reader = Reader { input, line, number: 0, hash };
+    let mut reader = Reader { input, line: String::new(), number: 0, hash: Default::default() };
     check(&mut reader).map_err(|what| Flaw(reader.number, what))
 }
 
@@ -53,7 +48,17 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     reader.next()?.word("input")?;
     let graph = Graph::read(reader)?;
     let cells = graph.leaving.len();
-    let claims = read_claims(reader, cells)?;
+    reader.next()?.word("claims")?;
+    let mut claims = Claims::new();
+    for cell in 0..cells {
+        let digits = reader.next()?.rest.bytes();
+        let row: Vec<u8> = digits.map(|digit| digit.wrapping_sub(b'0')).collect();
+        let are_claims = row.len() == cells && row.iter().all(|&claim| claim <= 3);
+        let is_symmetric = (0..cell).all(|other| row.get(other) == claims[other].get(cell));
+        let holds = are_claims && is_symmetric && row[cell] == 2;
+        ensure(holds, "expected a digit from 0 to 3 a cell, symmetric, 2 for the cell itself")?;
+        claims.push(row);
+    }
     let mut verified = Verified::default();
     let mut trees = Trees::new(&graph, &claims);
     let mut shown = HashSet::new();
@@ -84,42 +89,13 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     ensure(has_lines, "a pair claimed open or grazing has no line").map(|()| verified)
 }
 
-fn read_claims(reader: &mut Reader<impl BufRead>, cells: usize) -> Checked<Claims> {
-    reader.next()?.word("claims")?;
-    let mut claims = Claims::new();
-    for cell in 0..cells {
-        let digits = reader.next()?.rest.bytes();
-        let row: Vec<u8> = digits.map(|digit| digit.wrapping_sub(b'0')).collect();
-        let are_claims = row.len() == cells && row.iter().all(|&claim| claim <= 3);
-        let is_symmetric = (0..cell).all(|other| row.get(other) == claims[other].get(cell));
-        let holds = are_claims && is_symmetric && row[cell] == 2;
-        ensure(holds, "expected a digit from 0 to 3 a cell, symmetric, 2 for the cell itself")?;
-        claims.push(row);
-    }
-    Ok(claims)
-}
-
-/// The rest of the fields: a sequence from one cell to another.
-fn read_sequence(fields: &mut Fields, graph: &Graph, [a, b]: [usize; 2]) -> Checked<Vec<usize>> {
-    let sequence = fields.indices(graph.portals.len())?;
-    let mut crossed = vec![a];
-    for portal in sequence.iter().map(|&portal| &graph.portals[portal]) {
-        let goes_on = crossed.last() == Some(&portal.from) && !crossed.contains(&portal.to);
-        ensure(goes_on, "a portal does not go on from the cell before into a new one")?;
-        crossed.push(portal.to);
-    }
-    ensure(crossed.last() == Some(&b), "the sequence does not end in the pair's cell")?;
-    fields.end().map(|()| sequence)
-}
-
 fn check_open(fields: &mut Fields, graph: &Graph, pair: [usize; 2]) -> Checked<()> {
     let line = join(&fields.point()?, &fields.point()?);
-    let sequence = read_sequence(fields, graph, pair)?;
+    let sequence = graph.sequence(fields, pair)?;
     let is_inside = |vector: &Vector| side(&line, vector).sign() == Plus;
-    let passes = sequence.iter().all(|&portal| graph.portals[portal].edges.iter().all(is_inside));
+    let passes = sequence.iter().all(|portal| portal.edges.iter().all(is_inside));
     ensure(passes, "the line does not pass a portal")?;
-    let planes: Vec<&Four> = sequence.iter().map(|&portal| &graph.portals[portal].plane).collect();
-    let in_order = planes.windows(2).all(|two| is_inside(&order(two[0], two[1])));
+    let in_order = sequence.windows(2).all(|two| is_inside(&order(&two[0].plane, &two[1].plane)));
     ensure(in_order, "the line does not cross the portals in order")
 }
 
@@ -133,12 +109,10 @@ fn check_grazing(fields: &mut Fields, graph: &Graph, pair: [usize; 2]) -> Checke
     ensure(is_finite, "the line is at infinity")?;
     let infinity = [0, 0, 0, 1].map(BigInt::from);
     let sign = |z: &Vector| sign_of_surd(&side(&x, z), &side(&y, z), &radicand);
-    for portal in read_sequence(fields, graph, pair)? {
-        let portal = &graph.portals[portal];
-        let front = front(&portal.plane);
+    for portal in graph.sequence(fields, pair)? {
         let [low, high] = range(portal.edges.iter().map(sign));
-        // For a line in the plane: the sides of the normals at the vertices.
-        let [right, left] = range(portal.corners.iter().map(|corner| sign(&join(corner, &front))));
+        // For a line in the plane: whether the corners are all on one side.
+        let [right, left] = range(portal.normals.iter().map(sign));
         let touches = match sign(&order(&infinity, &portal.plane)) {
             Plus => low != Minus,
             NoSign => [low, high] == [NoSign; 2] && (right != left || right == NoSign),

@@ -15,7 +15,6 @@ pub fn ensure(holds: bool, what: &str) -> Checked<()> {
 }
 
 /// The lines of a proof, one after the other.
-#[derive(Default)]
 pub struct Reader<R> {
     pub input: R,
     pub line: String,

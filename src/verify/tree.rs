@@ -1,6 +1,6 @@
 //! Trees of sequences that leave no way to the cells that a cell is not open to.
 
-use super::exact::{Graph, Vector, order, plane};
+use super::exact::{Directed, Graph, Vector, order, plane};
 use super::text::{Checked, Fields, ensure};
 use super::{Claims, Verified};
 use num_bigint::Sign::NoSign;
@@ -27,7 +27,7 @@ pub struct Trees<'a> {
     pub sources: Vec<bool>,
     /// The nodes above the next line, and the portals that they add to each other.
     nodes: Vec<Node>,
-    sequence: Vec<usize>,
+    sequence: Vec<&'a Directed>,
     /// How often each portal is cut at them.
     cuts_of: Vec<usize>,
     /// Those of the splits around a part of a certificate.
@@ -60,10 +60,11 @@ impl<'a> Trees<'a> {
         self.close(depth)?;
         ensure(depth > 0 && self.nodes.len() == depth, "the node has no parent")?;
         let portal = fields.index(self.graph.portals.len())?;
-        let (from, cell) = (self.graph.portals[portal].from, self.graph.portals[portal].to);
+        let directed = &self.graph.portals[portal];
+        let cell = directed.to;
         let parent = &mut self.nodes[depth - 1];
         let enters_target = parent.targets[cell];
-        let goes_on = parent.cell == from && (parent.seen[cell] || enters_target);
+        let goes_on = parent.cell == directed.from && (parent.seen[cell] || enters_target);
         let is_new = !parent.children.contains(&portal);
         ensure(goes_on && is_new, "the node does not go on from its parent, or a second time")?;
         parent.children.push(portal);
@@ -72,7 +73,7 @@ impl<'a> Trees<'a> {
         };
         let (mut seen, mut targets) = (narrowed(&parent.seen), narrowed(&parent.targets));
         seen[cell] = false;
-        self.sequence.push(portal);
+        self.sequence.push(directed);
         verified.nodes[0] += 1;
         let mut cuts = Vec::new();
         if let kind @ ("l" | "i" | "s") = fields.peek() {
@@ -95,7 +96,7 @@ impl<'a> Trees<'a> {
             let kind = fields.take()?;
             ensure(kind == "b" || kind == "p", "expected a cut or a refutation")?;
             let place = fields.index(length)?;
-            let at = &graph.portals[self.sequence[place]];
+            let at = self.sequence[place];
             let mut separator = at.plane.clone();
             if kind == "p" {
                 let later = fields.index(length)?;
@@ -103,7 +104,7 @@ impl<'a> Trees<'a> {
                 let corners = [vertex()?, vertex()?, vertex()?];
                 separator = plane(corners.map(|corner| &graph.points[corner]));
                 let [low, high] = at.heights(&separator);
-                let [floor, top] = graph.portals[self.sequence[later]].heights(&separator);
+                let [floor, top] = self.sequence[later].heights(&separator);
                 let separates = high <= NoSign && floor >= NoSign && low < top && place < later;
                 ensure(separates, "the plane does not separate the two portals")?;
             }
@@ -121,9 +122,8 @@ impl<'a> Trees<'a> {
 
     /// Checks and forgets the nodes that are not above a line of this depth.
     pub fn close(&mut self, depth: usize) -> Checked<()> {
-        while self.nodes.len() > depth {
-            let Some(node) = self.nodes.pop() else { break };
-            let is_left = self.reaches_target(&node);
+        for node in self.nodes.split_off(depth.min(self.nodes.len())).iter().rev() {
+            let is_left = self.reaches_target(node);
             ensure(!is_left, "in the tree above, a way is left to a cell claimed not open")?;
             node.cuts.iter().for_each(|&portal| self.cuts_of[portal] -= 1);
             self.sequence.pop();
@@ -133,37 +133,33 @@ impl<'a> Trees<'a> {
 
     /// Whether portals that are neither cut nor children lead to a target, through seen cells.
     fn reaches_target(&self, node: &Node) -> bool {
-        let mut entered = vec![false; self.sources.len()];
+        let (mut is_left, mut entered) = (false, vec![false; self.sources.len()]);
         let mut next = self.graph.leaving[node.cell].clone();
         next.retain(|portal| !node.children.contains(portal));
         while let Some(portal) = next.pop() {
             let cell = self.graph.portals[portal].to;
             let is_open = self.cuts_of[portal] == 0;
-            if is_open && node.targets[cell] {
-                return true;
-            }
+            is_left |= is_open && node.targets[cell];
             if is_open && node.seen[cell] && !replace(&mut entered[cell], true) {
                 next.extend(&self.graph.leaving[cell]);
             }
         }
-        false
+        is_left
     }
 
-    /// A vector that a certificate combines, and whether a line of the sequence must be strictly
-    /// on its positive side.
+    /// A vector, and whether a line of the sequence must be strictly on its positive side.
     fn factor(&self, fields: &mut Fields) -> Checked<(Vector, bool)> {
         let field = fields.take()?;
         let number = |text: &str| text.parse::<usize>().ok();
-        let at = |place: usize| self.sequence.get(place).copied();
         let find = || match (field.strip_prefix('o').map(number), field.strip_prefix('h')) {
             (Some(place), _) => {
-                let [a, b] = [at(place?.checked_sub(1)?)?, at(place?)?];
-                Some(order(&self.graph.portals[a].plane, &self.graph.portals[b].plane))
+                let before = self.sequence.get(place?.checked_sub(1)?)?;
+                Some(order(&before.plane, &self.sequence.get(place?)?.plane))
             }
             (_, Some(split)) => self.splits.get(number(split)?).cloned(),
             _ => {
                 let (portal, edge) = field.split_once('.')?;
-                self.graph.portals[at(number(portal)?)?].edges.get(number(edge)?).cloned()
+                self.sequence.get(number(portal)?)?.edges.get(number(edge)?).cloned()
             }
         };
         let vector = find().ok_or_else(|| format!("{field:?} is no condition of the sequence"))?;
@@ -177,6 +173,7 @@ impl<'a> Trees<'a> {
             "i" => return self.check_identity(fields),
             kind => ensure(kind == "s", "expected i, l or s")?,
         }
+        ensure(self.splits.len() < 64, "more than 64 splits enclose one another")?;
         let plane: Vector = fields.integers()?;
         for half in [plane.clone(), plane.map(|c| -c)] {
             self.splits.push(half);
@@ -213,8 +210,7 @@ impl<'a> Trees<'a> {
             }
         }
         (0..3).for_each(|i| sum[i][i + 3] -= &multiple);
-        ensure(any_strict && !multiple.is_zero(), "nothing strict, or no multiple of the quadric")?;
-        let holds = sum.iter().flatten().all(Zero::is_zero);
-        ensure(holds, "the products are no multiple of the quadric")
+        ensure(any_strict && !multiple.is_zero(), "nothing strict, or the multiple is zero")?;
+        ensure(sum.iter().flatten().all(Zero::is_zero), "no multiple of the quadric")
     }
 }

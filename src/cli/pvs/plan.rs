@@ -5,7 +5,7 @@ use super::super::exit::{Exit, Failure};
 use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
-use super::{Args, CellsArg, objects, on_threads, tree};
+use super::{Args, CellsArg, objects, on_threads, proof, tree};
 use crate::pvs::plan::{Cover, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
@@ -27,11 +27,17 @@ pub(super) fn run(
             "--grazing: the graph states no polygons of its cells; expected a floorplan",
         ));
     }
+    if args.proof.is_some() && (args.grazing || sectors_asked(args, &planar).is_some()) {
+        return Err(Failure::usage(
+            "--proof: in the plane it is of cells (--cells subsectors), and without --grazing",
+        ));
+    }
     if sectors_asked(args, &planar).is_none() && planar.graph().cells.len() > MOST_CELLS {
         return only_trees(args, input, &planar);
     }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
-    let wants = Wants { witnesses: wants_witnesses, grazing: args.grazing };
+    let needs_witnesses = wants_witnesses || args.proof.is_some();
+    let wants = Wants { witnesses: needs_witnesses, grazing: args.grazing };
     let level = sectors_asked(args, &planar);
     let found = on_threads(args, |watch| sights(&planar, level, wants, watch))?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
@@ -40,7 +46,7 @@ pub(super) fn run(
         Some(level) => (0..level.sectors).map(|sector| sector.to_string()).collect(),
         None => planar.graph().cells.clone(),
     };
-    let report = PvsReport {
+    let mut report = PvsReport {
         program: PvsReport::this_program(),
         input: identified(args, input),
         reading: reading(args),
@@ -49,7 +55,7 @@ pub(super) fn run(
         cells,
         skew_portals: 0,
         matrix,
-        witnesses: if wants_witnesses { witnesses } else { Vec::new() },
+        witnesses,
     };
     let objects = match &args.objects {
         Some(_) => {
@@ -65,6 +71,15 @@ pub(super) fn run(
         let trees = tree::of_plan(args, &planar)?.ok_or(Failure::Interrupted)?;
         clock.lap("stab trees");
         trees.write_to(output, &report.input, args.stats)?;
+    }
+    if let Some(folder) = &args.proof {
+        if !proof::write_of_plan(args, folder, planar.graph(), &report)? {
+            return Err(Failure::Interrupted);
+        }
+        clock.lap("proof");
+    }
+    if !wants_witnesses {
+        report.witnesses.clear();
     }
     write(args, &report)?;
     clock.lap("write");
@@ -103,7 +118,9 @@ fn only_trees(args: &Args, input: &Input, planar: &Planar) -> Result<Exit, Failu
 /// What identifies the input; its hash only where something that is written states it, since an
 /// archive is large and a level of it small.
 fn identified(args: &Args, input: &Input) -> InputId {
-    let stated = [&args.output, &args.stab_tree, &args.objects].iter().any(|path| path.is_some());
+    let stated = [&args.output, &args.stab_tree, &args.objects, &args.proof]
+        .iter()
+        .any(|path| path.is_some());
     match stated || args.json {
         true => InputId::new(&input.file_name(), &input.bytes),
         false => InputId { name: input.file_name(), blake3: String::new() },

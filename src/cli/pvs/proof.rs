@@ -3,9 +3,11 @@
 use super::super::exit::Failure;
 use super::super::files;
 use super::{Args, on_threads};
-use crate::pvs::{Finished, Found, write_proof};
-use crate::report::{ProofHead, ProvedGrazing, PvsReport};
-use crate::scene::PortalGraph;
+use crate::num::{Int, Rational};
+use crate::pvs::{Found, OpenPair, Row, Sightline, write_proof};
+use crate::report::{PairWitness, ProofHead, ProvedGrazing, PvsReport};
+use crate::scene::plan::PlanGraph;
+use crate::scene::{CellId, PortalGraph};
 use flate2::write::GzEncoder;
 use flate2::{Compression, GzBuilder};
 use std::io::{self, Write};
@@ -20,13 +22,13 @@ pub(super) fn write(
     folder: &Path,
     graph: &PortalGraph,
     report: &PvsReport,
-    finished: &Finished,
+    rows: &[Row],
     grazing: &[ProvedGrazing],
 ) -> Result<bool, Failure> {
     let failure = |error: &io::Error| Failure::system("write", folder, error);
     std::fs::create_dir_all(folder).map_err(|error| failure(&error))?;
     let head = ProofHead { program: &report.program, input: &report.input };
-    let found = Found { matrix: &report.matrix, rows: &finished.rows, grazing };
+    let found = Found { matrix: &report.matrix, rows, grazing };
     let spool = Spool::Plain(Vec::new());
     let written = on_threads(args, |watch| write_proof(spool, &head, graph, &found, watch))?;
     let Some(spool) = written.map_err(|error| failure(&error))? else { return Ok(false) };
@@ -43,6 +45,29 @@ pub(super) fn write(
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(failure(&error)),
         _ => Ok(true),
     }
+}
+
+/// The same for a graph of the plane, by way of portals with a height of 1: those that a line of
+/// the plane passes are those that it passes at half that height.
+pub(super) fn write_of_plan(
+    args: &Args,
+    folder: &Path,
+    graph: &PlanGraph,
+    report: &PvsReport,
+) -> Result<bool, Failure> {
+    let half = || Rational::new(Int::from(1), Int::from(2));
+    let row = |witness: &PairWitness| {
+        let points = witness.line.points().map(|point| {
+            let [x, y] = [0, 1].map(|axis| point[axis].to_rational());
+            [x, y, half()]
+        });
+        let (target, portals) = (CellId(witness.to), witness.portals.clone());
+        let line = Sightline::Rational(Box::new(points));
+        let source = CellId(witness.from);
+        Row { source, open: vec![OpenPair { target, portals, line }], ..Row::default() }
+    };
+    let rows: Vec<Row> = report.witnesses.iter().map(row).collect();
+    write(args, folder, &graph.in_space(), report, &rows, &[])
 }
 
 /// Text as it is, compressed once it is large.
