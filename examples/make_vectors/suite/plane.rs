@@ -40,7 +40,9 @@ fn plain() -> Family {
             }]
         };
         cases.push(Seq::new(
-            format!("Three wide doors, each {shift} to the right of the one before: a straight way."),
+            format!(
+                "Three wide doors, each {shift} to the right of the one before: a straight way."
+            ),
             &["Plain"],
             gates(2 * shift),
             Open,
@@ -58,9 +60,12 @@ fn plain() -> Family {
                 class,
             ));
         }
-        let turned = Seq::new(format!("Door {index} alone: any line through it."), &["Plain"], {
-            vec![gate(&q(0), q(shift), q(shift + 1))]
-        }, Open);
+        let turned = Seq::new(
+            format!("Door {index} alone: any line through it."),
+            &["Plain"],
+            { vec![gate(&q(0), q(shift), q(shift + 1))] },
+            Open,
+        );
         cases.push(turned);
     }
     Family::row("Doors of ordinary size: what anybody should get right.", cases)
@@ -110,7 +115,8 @@ fn posts() -> Family {
     ];
     let mut cases = Vec::new();
     for (p, r, flags) in &directions {
-        for (unit, name) in [(q(1), "1"), (tenth(3), "1e-3"), (tenth(9), "1e-9"), (tenth(18), "1e-18")]
+        for (unit, name) in
+            [(q(1), "1"), (tenth(3), "1e-3"), (tenth(9), "1e-9"), (tenth(18), "1e-18")]
         {
             for critical in TRIPLE {
                 let wide = p * q(2) + r * q(2) + q(8);

@@ -2,7 +2,7 @@
 //! counter-clockwise as seen from above.
 
 use super::family::{Family, Seq, TRIPLE};
-use super::number::{Point, Polygon, Q, power, q, ratio, tenth};
+use super::number::{Point, Polygon, Q, q, ratio, tenth};
 use super::plane;
 use stabline::vectors::Class::{Blocked, Grazing, Open};
 
@@ -51,6 +51,12 @@ fn upright(family: Family) -> Family {
             continue;
         }
         let mut case = case.upright(3);
+        // A line that stands upright in the post lies in the planes of all gates.
+        let has_post = case.flags.contains(&"SharedVertex") && case.flags.contains(&"TurnAround");
+        if has_post && case.portals.len() == 4 && case.class == Blocked {
+            case.class = Grazing;
+            case.comment.push_str(" But upright, along the post, one does.");
+        }
         case.comment = format!("With a height of 3: {}", case.comment);
         if index % 4 == 2 {
             case = case.sheared();
@@ -152,7 +158,8 @@ fn half_planes() -> Family {
             });
             let comment = "Portals at z = 0, 1, 2, 3, each with an edge that meets the z axis but \
                            for 1/1000: Σ m_i . P_i = 0 on every line, and all terms have one sign.";
-            let case = Seq::critical(comment, &["CommonLine", "NearRegulus"], portals.collect(), critical);
+            let case =
+                Seq::critical(comment, &["CommonLine", "NearRegulus"], portals.collect(), critical);
             cases.push(if index % 2 == 0 { case.far(40) } else { case.sheared() });
             cases.push(case);
         }
@@ -165,8 +172,7 @@ fn many_vertices() -> Family {
     let mut cases = Vec::new();
     for half in [12, 13, 16, 24, 32] {
         let count = 2 * half + 1;
-        let polygon: Polygon =
-            (-half..=half).map(|i| vec![q(i), q(i * i), q(0)]).collect();
+        let polygon: Polygon = (-half..=half).map(|i| vec![q(i), q(i * i), q(0)]).collect();
         for (at, name) in [(half, "last"), (-half, "first"), (0, "middle")] {
             for critical in TRIPLE {
                 // A small square at the vertex, in line on both sides: only what of the polygon is
@@ -195,7 +201,12 @@ fn many_vertices() -> Family {
                     "A portal of {count} vertices, (i, i²); two small windows in line see only \
                      what they share with it at its {name} vertex, to 1/100."
                 );
-                cases.push(Seq::critical(comment, &["ManyVertices"], portals, (critical.0, class, critical.2)));
+                cases.push(Seq::critical(
+                    comment,
+                    &["ManyVertices"],
+                    portals,
+                    (critical.0, class, critical.2),
+                ));
             }
         }
     }
@@ -264,14 +275,9 @@ fn thin_leaves() -> Family {
         (tenth(16), "1e-16"),
     ] {
         let near = |z: &Q, x: [i64; 2]| square(z, x.map(q), [0, 56].map(q));
-        let portals = vec![
-            near(&q(0), [0, 32]),
-            near(&thickness, [0, 32]),
-            near(&q(64), [0, 32]),
-        ];
-        let comment = format!(
-            "A leaf {name} thick between two rooms, with the same door on both its sides."
-        );
+        let portals = vec![near(&q(0), [0, 32]), near(&thickness, [0, 32]), near(&q(64), [0, 32])];
+        let comment =
+            format!("A leaf {name} thick between two rooms, with the same door on both its sides.");
         let case = Seq::new(comment, &["ThinLeaf"], portals, Open);
         cases.extend([case.metres(), case.far(20), case.far(40), case.back(), case]);
         for critical in TRIPLE {
@@ -334,12 +340,14 @@ fn twice() -> Family {
     let flags = &["Duplicate", "Coplanar", "TurnAround"];
     let comment = "Out through a portal and back: only lines in its plane touch both.";
     cases.push(Seq::new(comment, flags, vec![door.clone(), back.clone()], Grazing));
-    let third = |x: i64| vec![
-        vec![q(x), q(-1), q(-1)],
-        vec![q(x), q(6), q(-1)],
-        vec![q(x), q(6), q(1)],
-        vec![q(x), q(-1), q(1)],
-    ];
+    let third = |x: i64| {
+        vec![
+            vec![q(x), q(-1), q(-1)],
+            vec![q(x), q(6), q(-1)],
+            vec![q(x), q(6), q(1)],
+            vec![q(x), q(-1), q(1)],
+        ]
+    };
     let comment = "Out through a portal, back, and through one across, which lines in the plane of \
                    the first pass.";
     cases.push(Seq::new(comment, flags, vec![door.clone(), back.clone(), third(9)], Grazing));
@@ -366,18 +374,25 @@ fn in_one_plane() -> Family {
         let cube = vec![
             whole(s, [0, s], [0, s]),
             vec![[s, 0, 0], [s, s, 0], [s, s, s], [s, 0, s]]
-                .into_iter().map(|p| p.map(q).to_vec()).collect(),
+                .into_iter()
+                .map(|p| p.map(q).to_vec())
+                .collect(),
             vec![[0, 0, 0], [s, 0, 0], [s, 0, s], [0, 0, s]]
-                .into_iter().map(|p| p.map(q).to_vec()).collect(),
+                .into_iter()
+                .map(|p| p.map(q).to_vec())
+                .collect(),
             vec![[0, 0, 0], [0, s, 0], [s, s, 0], [s, 0, 0]]
-                .into_iter().map(|p| p.map(q).to_vec()).collect(),
+                .into_iter()
+                .map(|p| p.map(q).to_vec())
+                .collect(),
         ];
-        let comment = format!("Out through four faces of a cube of size {size}, top and bottom \
-                               among them.");
-        cases.push(Seq::new(comment, &["TurnAround", "SharedVertex"], cube[..2].to_vec(), Open));
-        cases.push(Seq::new("Three faces at a corner of a cube, all outwards.", &["SharedVertex"],
-            cube[..3].to_vec(), Open));
-        cases.push(Seq::new(comment.clone(), &["TurnAround", "SharedVertex"], cube, Blocked));
+        let comment =
+            format!("Out through four faces of a cube of size {size}, top and bottom among them.");
+        let two = "Out through two neighbouring faces of a cube, which only their edge belongs to.";
+        cases.push(Seq::new(two, &["TurnAround", "SharedVertex"], cube[..2].to_vec(), Grazing));
+        let three = "Out through three faces of a cube: only lines at their corner touch all.";
+        cases.push(Seq::new(three, &["SharedVertex"], cube[..3].to_vec(), Grazing));
+        cases.push(Seq::new(comment, &["TurnAround", "SharedVertex"], cube, Blocked));
     }
     Family::loose("Portals of one plane, and of a cube.", cases)
 }
@@ -388,10 +403,8 @@ fn opposed() -> Family {
     for size in [1, 10, 1000] {
         let s = size;
         let of = |points: [[i64; 3]; 3]| points.map(|p| p.map(q).to_vec()).to_vec();
-        let portals = vec![
-            of([[0, 0, 0], [s, 0, 0], [0, s, 0]]),
-            of([[0, 0, s], [0, s, s], [s, 0, s]]),
-        ];
+        let portals =
+            vec![of([[0, 0, 0], [s, 0, 0], [0, s, 0]]), of([[0, 0, s], [0, s, s], [s, 0, s]])];
         let comment = format!(
             "Facing triangles {s} apart, crossed in opposite directions: all sides are weakly right \
              for lines at infinity, and for no other."
@@ -405,9 +418,10 @@ fn opposed() -> Family {
 fn straight_sides() -> Family {
     let mut cases = Vec::new();
     for critical in TRIPLE {
-        let side: Polygon = [[0, 0], [1, 0], [2, 0], [4, 0], [4, 1], [4, 4], [3, 4], [0, 4], [0, 1]]
-            .map(|[x, y]| vec![q(x), q(y), q(0)])
-            .to_vec();
+        let side: Polygon =
+            [[0, 0], [1, 0], [2, 0], [4, 0], [4, 1], [4, 4], [3, 4], [0, 4], [0, 1]]
+                .map(|[x, y]| vec![q(x), q(y), q(0)])
+                .to_vec();
         let edge = q(4) - tenth(5) * q(critical.0);
         let portals = vec![
             side.clone(),
@@ -419,6 +433,5 @@ fn straight_sides() -> Family {
         let case = Seq::critical(comment, &["StraightSide"], portals, critical);
         cases.extend([case.far(40), case.sheared(), case.back(), case]);
     }
-    let _ = power(0);
     Family::row("Vertices in the middle of straight sides.", cases)
 }
