@@ -9,8 +9,7 @@ mod text;
 mod tree;
 
 use exact::{Graph, Vector, join, order, range, side, sign_of_surd};
-use num_bigint::BigInt;
-use num_bigint::Sign::{Minus, NoSign, Plus};
+use num_bigint::{BigInt, Sign::Minus, Sign::NoSign, Sign::Plus};
 use std::collections::BTreeSet;
 use std::io::BufRead;
 use text::{Checked, Fields, Reader, ensure};
