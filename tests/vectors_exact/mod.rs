@@ -58,9 +58,9 @@ fn side(x: &Vector, y: &Vector) -> Q {
 fn edges(portal: &[Point]) -> Vec<Vector> {
     let up = |p: &Point, z: i64| vec![p[0].clone(), p[1].clone(), Q::from(Int::from(z))];
     match portal {
-        // A line passes between them upwards on the right and downwards on the left.
+        // A line passes between them with the left one upwards and the right one downwards.
         [left, right] if left.len() == 2 => {
-            vec![join(&up(left, 1), &up(left, 0)), join(&up(right, 0), &up(right, 1))]
+            vec![join(&up(left, 0), &up(left, 1)), join(&up(right, 1), &up(right, 0))]
         }
         _ => (0..portal.len()).map(|i| join(&portal[i], &portal[(i + 1) % portal.len()])).collect(),
     }
