@@ -11,6 +11,7 @@ use stabline::report::{StabReport, refutation_text};
 use stabline::stab::hourglass::Hourglass;
 use stabline::stab::{Certificate, Portal3, Stabber, Verdict};
 use stabline::vectors::{Class, Group, Kind, SceneOfGroup, Test, VectorsFile, answer};
+use std::collections::BTreeSet;
 
 /// Grazing cases have their touching line; why they are not open is added where it is this short.
 const LONGEST_REASON: usize = 1500;
@@ -20,6 +21,8 @@ pub struct Book {
     file: VectorsFile,
     /// Cases whose answer is another than the construction says.
     wrong: Vec<String>,
+    /// What was asked already.
+    asked: BTreeSet<String>,
 }
 
 impl Book {
@@ -33,7 +36,7 @@ impl Book {
             notes: Default::default(),
             groups: Vec::new(),
         };
-        Book { file, wrong: Vec::new() }
+        Book { file, wrong: Vec::new(), asked: BTreeSet::new() }
     }
 
     /// Begins a group without a scene.
@@ -42,20 +45,25 @@ impl Book {
         self.file.groups.push(Group { kind, about, scene: None, tests });
     }
 
-    /// Adds a test to the group that was begun last.
+    /// Adds a test to the group that was begun last, if it asks what no other does.
     pub fn test(&mut self, comment: &str, flags: &[&str], test: Test) {
+        let group = self.file.groups.last_mut().expect("a group was begun");
+        let mut scene = group.scene.as_ref().map(|scene| scene.input.clone());
+        scene.iter_mut().for_each(|scene| scene["about"] = Value::Null);
+        let question = json!([group.kind, scene, test.input, test.from, test.to]);
+        if !self.asked.insert(question.to_string()) {
+            return;
+        }
         self.file.number_of_tests += 1;
         for flag in flags {
             self.file.notes.entry((*flag).to_owned()).or_insert_with(|| note(flag));
         }
-        let test = Test {
+        group.tests.push(Test {
             tc_id: self.file.number_of_tests,
             comment: comment.to_owned(),
             flags: flags.iter().map(|&flag| flag.to_owned()).collect(),
             ..test
-        };
-        let group = self.file.groups.last_mut().expect("a group was begun");
-        group.tests.push(test);
+        });
     }
 
     /// How many tests there are.
@@ -92,6 +100,7 @@ impl Book {
     /// # Panics
     /// If an answer is another than the construction says.
     pub fn finish(mut self) -> VectorsFile {
+        self.file.groups.retain(|group| !group.tests.is_empty());
         for (group, test) in self.file.tests().filter(|(group, _)| group.kind != Kind::Sequence) {
             let expected = test.expected().expect("one answer is stated");
             match answer(&group.case(test)) {

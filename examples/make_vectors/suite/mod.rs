@@ -18,31 +18,40 @@ use book::Book;
 use family::Family;
 use stabline::vectors::{Kind, VectorsFile};
 
-/// Every file, in the order of their names.
-pub fn files() -> Vec<VectorsFile> {
+/// Every file, in order.
+pub const NAMES: [&str; 8] = [
+    "eyes",
+    "graphs_2d",
+    "graphs_3d",
+    "scenes_2d",
+    "scenes_3d",
+    "sequences_2d",
+    "sequences_3d",
+    "transversals",
+];
+
+/// The file of this name.
+///
+/// # Panics
+/// If an answer is another than the construction says, and for another name.
+pub fn file(name: &str) -> VectorsFile {
+    let in_graph = |place: &str| format!("Do two cells of a portal graph {place} see each other?");
     let (plane, space) = (plane::families(), space::families());
-    vec![
-        eyes::file(),
-        pairs::file(
-            "graphs_2d",
-            "Do two cells of a portal graph in the plane see each other?",
-            &plane,
-        ),
-        pairs::file("graphs_3d", "Do two cells of a portal graph in space see each other?", &space),
-        scenes::in_plane(&plane),
-        scenes::in_space(&space),
-        sequences(
-            "sequences_2d",
-            "Is there a line through segments of the plane, left to right?",
-            &plane,
-        ),
-        sequences(
-            "sequences_3d",
-            "Is there a line through polygons of space, each from behind?",
-            &space,
-        ),
-        four_lines::file(),
-    ]
+    match name {
+        "eyes" => eyes::file(),
+        "graphs_2d" => pairs::file(name, &in_graph("in the plane"), &plane),
+        "graphs_3d" => pairs::file(name, &in_graph("in space"), &space),
+        "scenes_2d" => scenes::in_plane(&plane),
+        "scenes_3d" => scenes::in_space(&space),
+        "sequences_2d" => {
+            sequences(name, "Is there a line through segments, between their ends?", &plane)
+        }
+        "sequences_3d" => {
+            sequences(name, "Is there a line through polygons, each from behind?", &space)
+        }
+        "transversals" => four_lines::file(),
+        other => panic!("no file {other}"),
+    }
 }
 
 fn sequences(name: &str, about: &str, families: &[Family]) -> VectorsFile {

@@ -63,7 +63,7 @@ fn plain() -> Family {
         let turned = Seq::new(
             format!("Door {index} alone: any line through it."),
             &["Plain"],
-            { vec![gate(&q(0), q(shift), q(shift + 1))] },
+            vec![gate(&q(0), q(shift), q(shift + 1))],
             Open,
         );
         cases.push(turned);
