@@ -12,7 +12,7 @@ fn main() -> ExitCode {
         eprintln!("usage: make_vectors FOLDER");
         return ExitCode::from(2);
     };
-    for file in suite::files() {
+    for file in suite::NAMES.map(suite::file) {
         let path = folder.join(format!("{}.json", file.name));
         if let Err(error) = std::fs::write(&path, file.to_text()) {
             eprintln!("{}: {error}", path.display());

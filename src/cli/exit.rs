@@ -11,6 +11,8 @@ pub(super) enum Exit {
     Done,
     /// `check` found holes.
     Holes,
+    /// `golden` found other bytes than those that are kept.
+    Drift,
     /// Pairs remain undecided under the budget given.
     Undecided,
     /// Interrupted, with the finished work kept.
@@ -21,7 +23,7 @@ impl Exit {
     pub(super) fn code(self) -> u8 {
         match self {
             Exit::Done => 0,
-            Exit::Holes => 1,
+            Exit::Holes | Exit::Drift => 1,
             Exit::Undecided => 4,
             Exit::Interrupted => 130,
         }

@@ -16,6 +16,7 @@ mod export;
 mod eye;
 mod files;
 mod generate;
+mod golden;
 mod interrupt;
 mod meshes;
 mod motion;
@@ -60,6 +61,7 @@ enum Command {
     Export(export::Args),
     Eye(eye::Args),
     Generate(generate::Args),
+    Golden(golden::Args),
     Move(motion::Args),
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
@@ -81,6 +83,7 @@ impl Command {
             Command::Export(args) => export::run(args),
             Command::Eye(args) => eye::run(args),
             Command::Generate(args) => generate::run(args),
+            Command::Golden(args) => golden::run(&args),
             Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
@@ -92,6 +95,13 @@ impl Command {
             Command::Why(args) => why::run(args),
         }
     }
+}
+
+/// Runs one command for another, as if it were given on the command line.
+fn run_command(arguments: &[OsString]) -> Result<Exit, Failure> {
+    let name = OsString::from("stabline");
+    let cli = Cli::try_parse_from(std::iter::once(&name).chain(arguments));
+    cli.map_err(|error| usage(&error))?.command.run()
 }
 
 /// Runs the command line `arguments`, the program's name first.

@@ -191,13 +191,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         }
         clock.lap("proof");
     }
-    if let Some(npy) = &args.npy {
-        let bytes = report.matrix.to_npy();
-        files::write(Some(npy), |out| out.write_all(&bytes))?;
-    }
-    if let Some(output) = &args.output {
-        files::write(Some(output), |out| report.write(out))?;
-    }
+    write(&args, &report)?;
     clock.lap("write");
     if !writes_to_stdout && (args.json || (args.output.is_none() && args.npy.is_none())) {
         files::print(&summary::summary(&graph, &report, objects.as_ref(), &finished, &args))?;
@@ -205,12 +199,27 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     if args.stats {
         summary::print_stats(&clock, &graph, &finished);
     }
-    let budget_spent = |objects: &ObjectsReport| {
+    Ok(if is_undecided(&args, &report, objects.as_ref()) { Exit::Undecided } else { Exit::Done })
+}
+
+/// Writes the result, whole and as a matrix, as far as it was asked for.
+fn write(args: &Args, report: &PvsReport) -> Result<(), Failure> {
+    if let Some(npy) = &args.npy {
+        let bytes = report.matrix.to_npy();
+        files::write(Some(npy), |out| out.write_all(&bytes))?;
+    }
+    match &args.output {
+        Some(output) => files::write(Some(output), |out| report.write(out)),
+        None => Ok(()),
+    }
+}
+
+/// Whether a budget left something open that was asked for exactly.
+fn is_undecided(args: &Args, report: &PvsReport, objects: Option<&ObjectsReport>) -> bool {
+    let is_spent = |objects: &ObjectsReport| {
         args.objects_method == objects::Method::Exact && objects.counts().undecided > 0
     };
-    let undecided =
-        report.matrix.counts().undecided > 0 || objects.as_ref().is_some_and(budget_spent);
-    Ok(if undecided { Exit::Undecided } else { Exit::Done })
+    report.matrix.counts().undecided > 0 || objects.is_some_and(is_spent)
 }
 
 /// Refuses options for Doom levels on other inputs.

@@ -30,7 +30,7 @@ pub use plan::{PlanCell, PlanCellPortal, PlanCrossing, PlanPosition, PlanReport}
 pub use progress::{Progress, Silent};
 pub use proof::{
     Cut, CutReason, DirectedPortal, ProofHead, ProofNode, ProofText, ProofTree, ProvedGrazing,
-    ProvedOpen, Refutation, graph_text,
+    ProvedOpen, Refutation, graph_text, refutation_text,
 };
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
 pub use stab::StabReport;

@@ -244,7 +244,8 @@ impl ProofTree {
                     push(&mut text, format_args!(" l 1 o{} 1", path.len() - 1));
                 }
                 Some(Refutation::Certificate { certificate, units }) => {
-                    let scale = Scale { graph, path: &path, units };
+                    let portals = path.iter().map(|&portal| corners(graph, portal)).collect();
+                    let scale = Scale { portals, units };
                     push_certificate(&mut text, &scale, certificate);
                 }
             }
@@ -266,6 +267,18 @@ fn push_cut(text: &mut String, cut: &Cut) {
         }
     }
     cut.portals.iter().for_each(|portal| push(text, format_args!(" {portal}")));
+}
+
+/// A certificate as a refutation of the format. `portals` are the sequence's, by their vertices in
+/// world units, of which `units` grid units are one.
+pub fn refutation_text(
+    certificate: &Certificate,
+    portals: Vec<Vec<&RationalPoint3>>,
+    units: &Int,
+) -> String {
+    let mut text = String::new();
+    push_certificate(&mut text, &Scale { portals, units }, certificate);
+    text.trim_start().to_owned()
 }
 
 fn push_certificate(text: &mut String, scale: &Scale, certificate: &Certificate) {
@@ -339,8 +352,8 @@ fn whole(fractions: Vec<Rational>) -> Vec<Int> {
 /// With D grid units in a world unit, the vector (d, m) of world units is (D d, D² m) on the grid,
 /// and the sides and the quadric of two such are D³ those in world units.
 struct Scale<'a> {
-    graph: &'a PortalGraph,
-    path: &'a [DirectedPortal],
+    /// The vertices of each portal of the sequence.
+    portals: Vec<Vec<&'a RationalPoint3>>,
     /// Grid units in one world unit.
     units: &'a Int,
 }
@@ -351,7 +364,7 @@ impl Scale<'_> {
         let one = Int::from(1);
         match factor {
             Factor::Condition(Condition::Edge(name)) => {
-                let corners = corners(self.graph, self.path[name.portal]);
+                let corners = &self.portals[name.portal];
                 let next = (name.edge + 1) % corners.len();
                 Rational::new(one, corners[name.edge].denominator() * corners[next].denominator())
             }
@@ -378,7 +391,7 @@ impl Scale<'_> {
 
     /// The normal of the text's plane of a portal as a multiple of the primitive one.
     fn normal_scale(&self, position: usize) -> Rational {
-        let corners = corners(self.graph, self.path[position]);
+        let corners = &self.portals[position];
         let [a, b, c] = [corners[0], corners[1], corners[2]].map(RationalPoint3::numerators);
         let [d, e, f] = [0, 1, 2].map(|i| corners[i].denominator());
         let (bc, ca, ab) = (cross(b, c), cross(c, a), cross(a, b));

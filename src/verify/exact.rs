@@ -100,11 +100,11 @@ impl Graph {
         for word in ["cells", "vertices", "portals"] {
             let mut head = reader.next()?;
             head.word(word)?;
-            for _ in 0..head.index(usize::MAX)? {
+            let count = head.index(usize::MAX).and_then(|count| head.end().map(|()| count))?;
+            for _ in 0..count {
                 let mut fields = reader.next()?;
                 match word {
-                    // The rest of the line is the cell's name.
-                    "cells" => graph.leaving.push(Vec::new()),
+                    "cells" => graph.leaving.push(Vec::new()), // The line is its name.
                     "vertices" => graph.points.push(fields.point()?),
                     _ => graph.read_portal(&mut fields)?,
                 }

@@ -9,9 +9,8 @@ mod text;
 mod tree;
 
 use exact::{Graph, Vector, join, order, range, side, sign_of_surd};
-use num_bigint::BigInt;
-use num_bigint::Sign::{Minus, NoSign, Plus};
-use std::collections::HashSet;
+use num_bigint::{BigInt, Sign::Minus, Sign::NoSign, Sign::Plus};
+use std::collections::BTreeSet;
 use std::io::BufRead;
 use text::{Checked, Fields, Reader, ensure};
 use tree::Trees;
@@ -48,7 +47,7 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     reader.next()?.word("input")?;
     let graph = Graph::read(reader)?;
     let cells = graph.leaving.len();
-    reader.next()?.word("claims")?;
+    ensure(reader.next()?.rest == "claims", "expected \"claims\"")?;
     let mut claims = Claims::new();
     for cell in 0..cells {
         let digits = reader.next()?.rest.bytes();
@@ -61,7 +60,7 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
     }
     let mut verified = Verified::default();
     let mut trees = Trees::new(&graph, &claims);
-    let mut shown = HashSet::new();
+    let mut shown = BTreeSet::new();
     loop {
         let mut fields = reader.next()?;
         match fields.peek() {
@@ -69,8 +68,8 @@ fn check(reader: &mut Reader<impl BufRead>) -> Checked<Verified> {
                 fields.take()?;
                 let [a, b] = [fields.index(cells)?, fields.index(cells)?];
                 let is_claimed = a != b && claims[a][b] == 1 + u8::from(kind == "open");
-                let is_new = shown.insert([a.min(b), a.max(b)]);
-                ensure(is_claimed && is_new, "the pair is not claimed so, or had its line")?;
+                let is_new = shown.insert([a.min(b), a.max(b)]) && !trees.sources.contains(&true);
+                ensure(is_claimed && is_new, "not claimed so, shown before, or after a tree")?;
                 let check = if kind == "open" { check_open } else { check_grazing };
                 check(&mut fields, &graph, [a, b])?;
             }

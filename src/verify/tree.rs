@@ -64,31 +64,32 @@ impl<'a> Trees<'a> {
         let cell = directed.to;
         let parent = &mut self.nodes[depth - 1];
         let enters_target = parent.targets[cell];
-        let goes_on = parent.cell == directed.from && (parent.seen[cell] || enters_target);
-        let is_new = !parent.children.contains(&portal);
-        ensure(goes_on && is_new, "the node does not go on from its parent, or a second time")?;
+        let is_new = parent.cell == directed.from && !parent.children.contains(&portal);
+        let goes_on = is_new && (parent.seen[cell] || enters_target);
+        ensure(goes_on, "the node does not go on from its parent, or a second time")?;
         parent.children.push(portal);
+        let kind = fields.peek();
+        let is_refuted = matches!(kind, "l" | "i" | "s");
         let narrowed = |set: &[bool]| -> Vec<bool> {
-            set.iter().zip(&self.claims[cell]).map(|(&has, &claim)| has && claim >= 2).collect()
+            let may_see = self.claims[cell].iter().map(|&claim| !is_refuted && claim >= 2);
+            set.iter().zip(may_see).map(|(&has, may_see)| has && may_see).collect()
         };
-        let (mut seen, mut targets) = (narrowed(&parent.seen), narrowed(&parent.targets));
+        let (mut seen, targets) = (narrowed(&parent.seen), narrowed(&parent.targets));
         seen[cell] = false;
         self.sequence.push(directed);
         verified.nodes[0] += 1;
-        let mut cuts = Vec::new();
-        if let kind @ ("l" | "i" | "s") = fields.peek() {
-            (seen.fill(false), targets.fill(false));
+        if is_refuted {
             verified.nodes[if kind == "l" { 1 } else { 2 }] += 1;
             self.check_refutation(fields)?;
-        } else {
-            ensure(!enters_target, "a target is entered by a sequence that is not refuted")?;
-            cuts = self.cuts(fields)?;
+            fields.end()?;
         }
+        ensure(is_refuted || !enters_target, "a target is entered, and nothing refuted")?;
+        let cuts = self.cuts(fields)?;
         self.nodes.push(Node { cell, seen, targets, children: Vec::new(), cuts });
-        fields.end()
+        Ok(())
     }
 
-    /// Portals that cannot be crossed after the sequence.
+    /// The rest of the fields: portals that cannot be crossed after the sequence.
     fn cuts(&mut self, fields: &mut Fields) -> Checked<Vec<usize>> {
         let (graph, length) = (self.graph, self.sequence.len());
         let mut cuts = Vec::new();
@@ -150,7 +151,7 @@ impl<'a> Trees<'a> {
     /// A vector, and whether a line of the sequence must be strictly on its positive side.
     fn factor(&self, fields: &mut Fields) -> Checked<(Vector, bool)> {
         let field = fields.take()?;
-        let number = |text: &str| text.parse::<usize>().ok();
+        let number = |text: &str| text.parse().ok().filter(|n: &usize| n.to_string() == text);
         let find = || match (field.strip_prefix('o').map(number), field.strip_prefix('h')) {
             (Some(place), _) => {
                 let before = self.sequence.get(place?.checked_sub(1)?)?;

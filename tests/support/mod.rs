@@ -1,9 +1,11 @@
 //! Running the command, and small inputs for it.
 #![allow(dead_code, reason = "each test program uses its own part of this")]
 
+pub mod arguments;
 pub mod boxes;
 pub mod certificate;
 pub mod graphs;
+pub mod mutations;
 pub mod obstacles;
 pub mod plans;
 pub mod proofs;

@@ -5,7 +5,7 @@ use stabline::num::Rational;
 use stabline::report::PairWitness;
 use stabline::scene::{Portal, PortalGraph};
 
-type Point = [Rational; 3];
+pub type Point = [Rational; 3];
 
 /// Why a witness does not show what it should, or that it does: its chain of portals leads from
 /// its cell to the other, and its line crosses the inside of each in that direction, in order.
@@ -48,7 +48,7 @@ pub fn check(graph: &PortalGraph, witness: &PairWitness) -> Result<(), String> {
 }
 
 /// Where the line p + t·d crosses the inside of the polygon towards its right-hand normal.
-fn crossing(polygon: &[Point], p: &Point, d: &Point) -> Option<Rational> {
+pub fn crossing(polygon: &[Point], p: &Point, d: &Point) -> Option<Rational> {
     let normal = cross(&minus(&polygon[1], &polygon[0]), &minus(&polygon[2], &polygon[0]));
     let slope = dot(&normal, d);
     if !slope.is_positive() {
@@ -63,14 +63,14 @@ fn crossing(polygon: &[Point], p: &Point, d: &Point) -> Option<Rational> {
     is_inside.then_some(at)
 }
 
-fn minus(a: &Point, b: &Point) -> Point {
+pub fn minus(a: &Point, b: &Point) -> Point {
     [0, 1, 2].map(|i| &a[i] - &b[i])
 }
 
-fn cross(a: &Point, b: &Point) -> Point {
+pub fn cross(a: &Point, b: &Point) -> Point {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
 
-fn dot(a: &Point, b: &Point) -> Rational {
+pub fn dot(a: &Point, b: &Point) -> Rational {
     a.iter().zip(b).fold(Rational::zero(), |sum, (a, b)| sum + a * b)
 }

@@ -64,6 +64,105 @@ const NOTES: &[[&str; 3]] = &[
         "Many portals in a row.",
         "Errors of repeated clipping add up; tables of fixed size overflow.",
     ],
+    [
+        "Backwards",
+        "The same portals crossed in the other direction, in reverse order.",
+        "Programs whose tests lean to one side find a pair in one direction only.",
+    ],
+    [
+        "Mirrored",
+        "The same in a mirror: left and right change places.",
+        "A wrong sign for one handedness stays unseen in symmetric maps.",
+    ],
+    [
+        "Posts",
+        "Three posts in line, passed on alternate sides.",
+        "A side product that is a rounded zero decides.",
+    ],
+    [
+        "Needle",
+        "A polygon or a gate much longer than wide.",
+        "Normals of slivers are short before they are normalised; separating planes with short cross products are skipped by public vis programs.",
+    ],
+    [
+        "ThinLeaf",
+        "A leaf of 0.1 units or less between two rooms.",
+        "A 0.01-unit leaf between two rooms loses visible pairs in a public vis program: both its portals are within the tolerance of each other's plane.",
+    ],
+    ["LongNumbers", "Coordinates of more than 40 bits.", "Doubles hold no product of two of them."],
+    [
+        "SmallOverlap",
+        "Windows that overlap by 0.05 or 0.1 units.",
+        "A window overlap of 0.05 units reads as not visible in all full-quality vis programs measured, which keep 0.1 units of tolerance.",
+    ],
+    [
+        "SmallClearance",
+        "Clearances of 0.001 to 0.03 units.",
+        "Vis programs miss true pairs with clearances of 0.005 to 0.03 units on real maps.",
+    ],
+    [
+        "ShortEdge",
+        "Portals with edges of 0.2 units or less.",
+        "Portals with edges shorter than 0.2 are dropped by public vis programs.",
+    ],
+    [
+        "TouchInPoint",
+        "Portals that touch in a point, or overlap there by little.",
+        "The clipped winding has no area, and is dropped or kept by chance.",
+    ],
+    [
+        "HalfWall",
+        "Facing squares with half a wall between them.",
+        "A published exact library answers hidden, with doubles and with rationals; the truth is visible.",
+    ],
+    [
+        "NearRegulus",
+        "Four lines of one regulus, or one unit off it.",
+        "Pairs of lines in such a place are where the discriminant of four lines is zero; its sign is wrong in 8 to 25 % of tests with doubles.",
+    ],
+    [
+        "ManyVertices",
+        "A portal of 25 vertices or more.",
+        "Windings over 24 points are not clipped by public vis programs.",
+    ],
+    [
+        "StraightSide",
+        "Vertices in the middle of straight sides.",
+        "Side tests of such an edge's corners are zeros.",
+    ],
+    [
+        "AtInfinity",
+        "Some of the lines that answer are at infinity, and do not count.",
+        "The quadratic equation loses its first coefficient, and solvers divide by it.",
+    ],
+    [
+        "DoubleTransversal",
+        "Four lines that one line meets twice.",
+        "The discriminant is exactly zero; in doubles it is none or two.",
+    ],
+    [
+        "SpecialLines",
+        "Lines that cross, coincide, are parallel, or share a plane.",
+        "Solvers in general position divide by zero, or report two lines where there are families.",
+    ],
+    ["TwoWays", "Two ways from one cell to the other, of which the better one decides.", ""],
+    [
+        "SplitPortal",
+        "A portal in two parts, side by side, which changes nothing.",
+        "Each part alone is narrower, and tolerances eat from both.",
+    ],
+    [
+        "TJunction",
+        "Edges that end in the middle of others.",
+        "Sides that should be in line differ by rounding, and light leaks between them.",
+    ],
+    ["Pinwheel", "Four pieces around an opening, each ending at the next one's side.", ""],
+    [
+        "Overlap",
+        "Pieces of a wall that overlap in one plane.",
+        "Coplanar faces split each other into slivers in tree builders with tolerances.",
+    ],
+    ["Frustum", "The eye looks through a frame: what is outside of it does not count.", ""],
 ];
 
 /// The notes on these flags.

@@ -22,27 +22,17 @@ pub(super) fn run(
     super::refuse_doom_options(args, input.map.is_some())?;
     let planar = on_threads(args, |watch| plan::read(input, &args.plan, watch))??;
     clock.lap("read");
-    if args.grazing && matches!(planar, Planar::Graph(_)) {
-        return Err(Failure::usage(
-            "--grazing: the graph states no polygons of its cells; expected a floorplan",
-        ));
-    }
-    if args.proof.is_some() && (args.grazing || sectors_asked(args, &planar).is_some()) {
-        return Err(Failure::usage(
-            "--proof: in the plane it is of cells (--cells subsectors), and without --grazing",
-        ));
-    }
+    refuse_of(args, &planar)?;
     if sectors_asked(args, &planar).is_none() && planar.graph().cells.len() > MOST_CELLS {
         return only_trees(args, input, &planar);
     }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
-    let needs_witnesses = wants_witnesses || args.proof.is_some();
-    let wants = Wants { witnesses: needs_witnesses, grazing: args.grazing };
+    let wants = Wants { witnesses: wants_witnesses || args.proof.is_some(), grazing: args.grazing };
     let level = sectors_asked(args, &planar);
     let found = on_threads(args, |watch| sights(&planar, level, wants, watch))?;
     let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
     clock.lap("search");
-    let cells = match sectors_asked(args, &planar) {
+    let cells = match level {
         Some(level) => (0..level.sectors).map(|sector| sector.to_string()).collect(),
         None => planar.graph().cells.clone(),
     };
@@ -142,18 +132,26 @@ fn reading(args: &Args) -> String {
 }
 
 fn write(args: &Args, report: &PvsReport) -> Result<(), Failure> {
-    if let Some(npy) = &args.npy {
-        let bytes = report.matrix.to_npy();
-        files::write(Some(npy), |out| out.write_all(&bytes))?;
-    }
     if let Some(reject) = &args.reject {
         let table = doom::reject_table(&report.matrix);
         files::write(Some(reject), |out| out.write_all(table.bytes()))?;
     }
-    match &args.output {
-        Some(output) => files::write(Some(output), |out| report.write(out)),
-        None => Ok(()),
+    super::write(args, report)
+}
+
+/// Refuses what there is not for this plan.
+fn refuse_of(args: &Args, planar: &Planar) -> Result<(), Failure> {
+    if args.grazing && matches!(planar, Planar::Graph(_)) {
+        return Err(Failure::usage(
+            "--grazing: the graph states no polygons of its cells; expected a floorplan",
+        ));
     }
+    if args.proof.is_some() && (args.grazing || sectors_asked(args, planar).is_some()) {
+        return Err(Failure::usage(
+            "--proof: in the plane it is of cells (--cells subsectors), and without --grazing",
+        ));
+    }
+    Ok(())
 }
 
 /// A plan is decided whole and in one go.

@@ -1,0 +1,131 @@
+//! The test vectors: they are what is generated, every answer is proved by what stands beside it,
+//! and the engine and its twin give it.
+
+#[path = "../examples/make_vectors/suite/mod.rs"]
+#[allow(dead_code, reason = "the generator uses all of it")]
+mod suite;
+mod support;
+mod vectors_exact;
+
+use stabline::formats::sequence::{SequenceFile, SequencePoints};
+use stabline::oracle::{PlaneTruth, Truth, classify, classify_2d};
+use stabline::vectors::{Class, Expected, Group, Kind, Test, VectorsFile, answer};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::Command;
+
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("vectors/{name}.json"))
+}
+
+fn committed(name: &str) -> VectorsFile {
+    let bytes = std::fs::read(path(name)).expect("the file is committed");
+    VectorsFile::read(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn check_generated(name: &str) {
+    let text = std::fs::read_to_string(path(name)).expect("the file is committed");
+    assert!(suite::file(name).to_text() == text, "{name}: run the example make_vectors");
+}
+
+/// The other files share all but their frames with these; `make_vectors` writes them all.
+#[test]
+fn files_are_what_is_generated() {
+    ["transversals", "sequences_2d", "eyes"].into_iter().for_each(check_generated);
+}
+
+#[test]
+fn files_are_canonical_and_every_flag_has_cases() {
+    let (mut count, mut flags) = (0, BTreeMap::<String, u32>::new());
+    let mut kinds = BTreeMap::<Kind, u32>::new();
+    for name in suite::NAMES {
+        let file = committed(name);
+        assert_eq!(file.name, name);
+        assert!(file.to_text().as_bytes() == std::fs::read(path(name)).unwrap(), "{name}");
+        count += file.number_of_tests;
+        for (group, test) in file.tests() {
+            assert!(test.comment.len() > 10 && !test.flags.is_empty(), "{name} {}", test.tc_id);
+            test.flags.iter().for_each(|flag| *flags.entry(flag.clone()).or_default() += 1);
+            *kinds.entry(group.kind).or_default() += 1;
+        }
+    }
+    assert!(count >= 2000, "{count} cases");
+    assert_eq!(kinds.len(), Kind::ALL.len());
+    let rare: Vec<_> = flags.iter().filter(|(_, count)| **count < 10).collect();
+    assert!(rare.is_empty(), "{rare:?}");
+}
+
+#[test]
+fn every_witness_touching_line_and_certificate_holds() {
+    for name in suite::NAMES {
+        let file = committed(name);
+        for (group, test) in file.tests() {
+            if let Err(what) = vectors_exact::check(group, test) {
+                panic!("{name} {}: {what}: {}", test.tc_id, test.comment);
+            }
+        }
+    }
+}
+
+/// The twin's verdict on a sequence.
+fn by_twin(test: &Test) -> Class {
+    let bytes = test.input.as_ref().expect("a sequence").to_string().into_bytes();
+    match SequenceFile::read(&bytes).and_then(|file| file.points()).expect("a sequence") {
+        SequencePoints::Space { portals, .. } => match classify(&portals) {
+            Truth::Open(_) => Class::Open,
+            Truth::Grazing(_) => Class::Grazing,
+            Truth::Blocked => Class::Blocked,
+        },
+        SequencePoints::Plane { portals, .. } => match classify_2d(&portals) {
+            PlaneTruth::Open => Class::Open,
+            PlaneTruth::Grazing => Class::Grazing,
+            PlaneTruth::Blocked => Class::Blocked,
+        },
+    }
+}
+
+#[test]
+fn the_twin_agrees_on_a_share_of_the_sequences() {
+    for (name, step, most) in [("sequences_2d", 3, 8), ("sequences_3d", 17, 3)] {
+        let file = committed(name);
+        let small = |(_, test): &(&Group, &Test)| {
+            let portals = test.input.as_ref().map(|input| input["portals"].clone());
+            let portals = portals.as_ref().and_then(|portals| portals.as_array());
+            portals.is_some_and(|portals| {
+                portals.len() <= most && portals.iter().all(|p| p.as_array().unwrap().len() <= 4)
+            })
+        };
+        let share: Vec<_> = file.tests().filter(small).step_by(step).collect();
+        assert!(share.len() >= 20, "{}", share.len());
+        for (_, test) in share {
+            assert_eq!(Some(by_twin(test)), test.class, "{name} {}", test.tc_id);
+        }
+    }
+}
+
+#[test]
+fn the_engine_agrees_on_a_share_of_all() {
+    for name in suite::NAMES {
+        for (group, test) in committed(name).tests().step_by(17) {
+            let expected = test.expected().as_ref().map(Expected::answer);
+            assert_eq!(answer(&group.case(test)).ok(), expected, "{name} {}", test.tc_id);
+        }
+    }
+}
+
+#[test]
+fn the_engine_scores_full_marks_through_the_runner() {
+    let stabline = env!("CARGO_BIN_EXE_stabline");
+    let run = |more: &[&str], answer: &[&str]| {
+        let files = ["transversals", "eyes"].map(|name| format!("--file={}", path(name).display()));
+        let mut command = Command::new(stabline);
+        command.args(["vectors", "run", "--json"]).args(files).args(more).arg("--");
+        let output = command.arg(stabline).args(["vectors", "answer"]).args(answer).output();
+        let output = output.expect("it runs");
+        let score: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a score");
+        assert!(output.status.success(), "{score}");
+        assert_eq!(score["all"]["cases"], score["all"]["exact"], "{score}");
+    };
+    run(&["--stream"], &["--stream"]);
+    run(&["--flag=AtInfinity"], &[]);
+}

@@ -1,0 +1,379 @@
+//! Checks what stands beside an answer, by rationals and the format's pages alone.
+
+use serde_json::Value;
+use stabline::num::{Int, Rational};
+use stabline::vectors::{Class, Group, Kind, Test};
+
+type Q = Rational;
+type Point = Vec<Q>;
+type Vector = [Q; 6];
+
+fn number(value: &Value) -> Q {
+    let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let (p, q) = text.split_once('/').unwrap_or((&text, "1"));
+    let whole = |text: &str| text.parse::<Int>().expect("an integer");
+    Q::new(whole(p), whole(q))
+}
+
+fn point(value: &Value) -> Point {
+    value.as_array().expect("a point").iter().map(number).collect()
+}
+
+fn polygons(value: &Value) -> Vec<Vec<Point>> {
+    let polygon = |p: &Value| p.as_array().expect("a polygon").iter().map(point).collect();
+    value.as_array().expect("polygons").iter().map(polygon).collect()
+}
+
+/// A number a + b√d with a common d.
+type Surd = [Q; 2];
+
+fn sign(value: &Surd, d: &Q) -> i32 {
+    let of = |q: &Q| i32::from(*q > zero()) - i32::from(*q < zero());
+    let [a, b] = value;
+    let (a_sign, b_sign) = (of(a), of(&(b * d)));
+    match a_sign * b_sign {
+        1 => a_sign,
+        0 => a_sign + b_sign,
+        _ => a_sign * of(&(a * a - b * b * d)),
+    }
+}
+
+fn zero() -> Q {
+    Q::from(Int::from(0))
+}
+
+/// (q - p, p × q), or in the plane only what turns need, with z = 0.
+fn join(p: &[Q], q: &[Q]) -> Vector {
+    let at = |v: &[Q], i: usize| v.get(i).cloned().unwrap_or_else(zero);
+    let cross = |i: usize, j: usize| at(p, i) * at(q, j) - at(p, j) * at(q, i);
+    let d = |i: usize| at(q, i) - at(p, i);
+    [d(0), d(1), d(2), cross(1, 2), cross(2, 0), cross(0, 1)]
+}
+
+fn side(x: &Vector, y: &Vector) -> Q {
+    (0..6).map(|i| &x[i] * &y[(i + 3) % 6]).sum()
+}
+
+/// The edges of a portal as lines; a segment's two ends, as upright lines.
+fn edges(portal: &[Point]) -> Vec<Vector> {
+    let up = |p: &Point, z: i64| vec![p[0].clone(), p[1].clone(), Q::from(Int::from(z))];
+    match portal {
+        // A line passes between them with the left one upwards and the right one downwards.
+        [left, right] if left.len() == 2 => {
+            vec![join(&up(left, 0), &up(left, 1)), join(&up(right, 1), &up(right, 0))]
+        }
+        _ => (0..portal.len()).map(|i| join(&portal[i], &portal[(i + 1) % portal.len()])).collect(),
+    }
+}
+
+fn check_witness(portals: &[Vec<Point>], witness: &Value) -> Result<(), String> {
+    let line = join(&point(&witness[0]), &point(&witness[1]));
+    let is_inside = portals.iter().flat_map(|p| edges(p)).all(|edge| side(&line, &edge) > zero());
+    ensure(is_inside, "the witness is not strictly inside")
+}
+
+fn ensure(holds: bool, what: &str) -> Result<(), String> {
+    holds.then_some(()).ok_or_else(|| what.to_owned())
+}
+
+/// Meets every closed portal: by weak sides, or within its plane.
+fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
+    let parts = |name: &str| {
+        [0, 1].map(|end| {
+            let coordinates = line[end].as_array().expect("a point");
+            coordinates.iter().map(|c| number(&c[name])).collect::<Point>()
+        })
+    };
+    let d = line[0].as_array().into_iter().chain(line[1].as_array()).flatten();
+    let d = d.map(|c| number(&c["d"])).max().expect("coordinates");
+    let ([p, q], [u, v]) = (parts("a"), parts("b"));
+    // (p + u√d) joined to (q + v√d): bilinear but for the directions, which the join of pairs gives.
+    let cross = |a: &[Q], b: &[Q]| {
+        let joined = join(a, b);
+        [joined[3].clone(), joined[4].clone(), joined[5].clone()]
+    };
+    let (pq, uv, pv, uq) = (cross(&p, &q), cross(&u, &v), cross(&p, &v), cross(&u, &q));
+    let at = |v: &[Q], i: usize| v.get(i).cloned().unwrap_or_else(zero);
+    let plain: Vector = std::array::from_fn(|i| match i {
+        0..3 => at(&q, i) - at(&p, i),
+        _ => &pq[i - 3] + &uv[i - 3] * &d,
+    });
+    let root: Vector = std::array::from_fn(|i| match i {
+        0..3 => at(&v, i) - at(&u, i),
+        _ => &pv[i - 3] + &uq[i - 3],
+    });
+    let is_line = plain[..3].iter().chain(&root[..3]).any(|c| *c != zero());
+    ensure(is_line, "the touching line has no direction")?;
+    for portal in portals {
+        let edges = edges(portal);
+        let signs: Vec<i32> =
+            edges.iter().map(|edge| sign(&[side(&plain, edge), side(&root, edge)], &d)).collect();
+        let forward = signs.iter().all(|&sign| sign >= 0);
+        let is_through = forward && signs.iter().any(|&sign| sign > 0);
+        ensure(is_through || signs.iter().all(|&sign| sign == 0), "a side is negative")?;
+        if is_through || portal[0].len() == 2 {
+            continue;
+        }
+        // In the portal's plane: its vertices must not be strictly on one side.
+        let n =
+            join(&vec_difference(&portal[1], &portal[0]), &vec_difference(&portal[2], &portal[0]));
+        let normal = [n[3].clone(), n[4].clone(), n[5].clone()];
+        let end = |a: &[Q], v: &[Q], root: bool| -> Point {
+            (0..3).map(|i| if root { at(a, i) } else { at(a, i) - at(v, i) }).collect()
+        };
+        let places: Vec<i32> = portal
+            .iter()
+            .map(|vertex| {
+                // det(normal, direction, vertex - point), expanded in √d.
+                let (from, from_root) = (end(&p, vertex, false), end(&u, vertex, true));
+                let (d0, d1) = (&plain[..3], &root[..3]);
+                let det = |a: &[Q], b: &[Q]| -> Q {
+                    let c = cross(a, b);
+                    (0..3).map(|i| &normal[i] * &c[i]).sum()
+                };
+                let whole = det(d0, &from) + det(d1, &from_root) * &d;
+                sign(&[whole, det(d0, &from_root) + det(d1, &from)], &d)
+            })
+            .collect();
+        let apart = places.iter().all(|&s| s > 0) || places.iter().all(|&s| s < 0);
+        ensure(!apart, "in a portal's plane, but past it")?;
+    }
+    Ok(())
+}
+
+fn vec_difference(a: &[Q], b: &[Q]) -> Point {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// The vectors of a portal's edges as proofs scale them: by the vertices' denominators.
+fn scaled_edges(portal: &[Point]) -> Vec<Vector> {
+    let denominator = |p: &Point| {
+        let lcm =
+            p.iter().fold(Int::from(1), |common, c| num_integer::lcm(common, c.denom().clone()));
+        Q::from(lcm)
+    };
+    let count = portal.len();
+    let scale = |i: usize| denominator(&portal[i]) * denominator(&portal[(i + 1) % count]);
+    edges(portal).into_iter().enumerate().map(|(i, edge)| edge.map(|c| c * scale(i))).collect()
+}
+
+fn check_reason(portals: &[Vec<Point>], reason: &Value) -> Result<(), String> {
+    if let Some(text) = reason["refutation"].as_str() {
+        let sides = portals.iter().map(|portal| scaled_edges(portal)).collect();
+        let mut refutation = Refutation { sides, splits: Vec::new(), words: text.split(' ') };
+        refutation.check()?;
+        return ensure(refutation.words.next().is_none(), "more than a refutation");
+    }
+    // In the plane: weighted ends, right ones counted negative, sum to zero with their weights.
+    let mut sum = [zero(), zero(), zero()];
+    let terms = reason["terms"].as_array().ok_or("neither a refutation nor terms")?;
+    for term in terms {
+        let portal = &portals[term["portal"].as_u64().ok_or("no portal")? as usize];
+        let (end, turn) = if term["end"] == "left" { (&portal[0], 1) } else { (&portal[1], -1) };
+        let weight = number(&term["weight"]);
+        ensure(weight > zero(), "a weight is not positive")?;
+        let weight = weight * Q::from(Int::from(turn));
+        sum[0] += &weight * &end[0];
+        sum[1] += &weight * &end[1];
+        sum[2] += weight;
+    }
+    ensure(!terms.is_empty() && sum.iter().all(|c| *c == zero()), "the weighted sum is not zero")
+}
+
+/// A refutation of `docs/formats/proof.md`.
+struct Refutation<'a> {
+    sides: Vec<Vec<Vector>>,
+    splits: Vec<Vector>,
+    words: std::str::Split<'a, char>,
+}
+
+impl Refutation<'_> {
+    fn word(&mut self) -> Result<&str, String> {
+        self.words.next().ok_or_else(|| "the refutation ends early".to_owned())
+    }
+
+    fn integer(&mut self) -> Result<Q, String> {
+        let parsed = self.word()?.parse::<Int>();
+        parsed.map(Q::from).map_err(|error| error.to_string())
+    }
+
+    fn factor(&mut self) -> Result<(Vector, bool), String> {
+        let word = self.word()?.to_owned();
+        let number = |text: &str| text.parse::<usize>().map_err(|error| error.to_string());
+        if let Some(split) = word.strip_prefix('h') {
+            let plane = self.splits.get(number(split)?).ok_or("no such split")?;
+            return Ok((plane.clone(), false));
+        }
+        let (portal, edge) = word.split_once('.').ok_or("no factor")?;
+        let edges = self.sides.get(number(portal)?).ok_or("no such portal")?;
+        Ok((edges.get(number(edge)?).ok_or("no such edge")?.clone(), true))
+    }
+
+    fn check(&mut self) -> Result<(), String> {
+        let kind = self.word()?.to_owned();
+        if kind == "s" {
+            let mut plane: Vector = std::array::from_fn(|_| zero());
+            for c in &mut plane {
+                *c = self.integer()?;
+            }
+            for half in [plane.clone(), plane.map(|c| -c)] {
+                self.splits.push(half);
+                self.check()?;
+                self.splits.pop();
+            }
+            return Ok(());
+        }
+        let multiple = if kind == "i" { self.integer()? } else { zero() };
+        let count = self.integer()?;
+        let mut sum: [Vector; 6] = std::array::from_fn(|_| std::array::from_fn(|_| zero()));
+        let mut line: Vector = std::array::from_fn(|_| zero());
+        let (mut is_strict, mut done) = (false, zero());
+        while done < count {
+            done += Q::from(Int::from(1));
+            let (f, f_strict) = self.factor()?;
+            if kind == "l" {
+                let weight = self.integer()?;
+                ensure(weight > zero(), "a weight is not positive")?;
+                line.iter_mut().zip(&f).for_each(|(sum, c)| *sum += &weight * c);
+                is_strict |= f_strict;
+                continue;
+            }
+            let (g, g_strict) = self.factor()?;
+            let weight = self.integer()?;
+            ensure(weight > zero(), "a weight is not positive")?;
+            is_strict |= f_strict && g_strict;
+            for (a, b) in (0..36).map(|at| (at / 6, at % 6)) {
+                sum[a.min(b)][a.max(b)] += &weight * &f[(a + 3) % 6] * &g[(b + 3) % 6];
+            }
+        }
+        (0..3).for_each(|i| sum[i][i + 3] -= &multiple);
+        ensure(is_strict && (kind == "l") == (multiple == zero()), "nothing strict takes part")?;
+        ensure(sum.iter().flatten().chain(&line).all(|c| *c == zero()), "the sum is another")
+    }
+}
+
+/// The portals of a graph in a sequence of cells from `from`, each turned the way it is crossed.
+fn along(scene: &Value, numbers: &Value, from: &str) -> Result<Vec<Vec<Point>>, String> {
+    let mut cell = from.to_owned();
+    let mut portals = Vec::new();
+    for number in numbers.as_array().ok_or("no portals")? {
+        let portal = &scene["portals"][number.as_u64().ok_or("no number")? as usize];
+        let polygon = portal.get("polygon").or(portal.get("segment")).ok_or("no such portal")?;
+        let mut polygon: Vec<Point> = polygon.as_array().unwrap().iter().map(point).collect();
+        let ends = ["from", "to"].map(|end| portal[end].as_str().unwrap_or_default());
+        ensure(ends.contains(&cell.as_str()), "a portal does not leave the cell")?;
+        if ends[0] != cell {
+            polygon.reverse();
+        }
+        cell = ends[usize::from(ends[0] == cell)].to_owned();
+        portals.push(polygon);
+    }
+    Ok(portals)
+}
+
+/// All sequences of portals between two cells that enter none twice.
+fn simple(
+    scene: &Value,
+    at: &str,
+    to: &str,
+    path: &mut Vec<u64>,
+    cells: &mut Vec<String>,
+) -> Vec<Vec<u64>> {
+    if at == to {
+        return vec![path.clone()];
+    }
+    cells.push(at.to_owned());
+    let mut all = Vec::new();
+    for (portal, index) in scene["portals"].as_array().unwrap().iter().zip(0..) {
+        let ends = ["from", "to"].map(|end| portal[end].as_str().unwrap().to_owned());
+        for (here, there) in [(&ends[0], &ends[1]), (&ends[1], &ends[0])] {
+            if here == at && !cells.contains(there) {
+                path.push(index);
+                all.extend(simple(scene, there, to, path, cells));
+                path.pop();
+            }
+        }
+    }
+    cells.pop();
+    all
+}
+
+fn check_eye(scene: &Value, test: &Test) -> Result<(), String> {
+    let input = test.input.as_ref().ok_or("no eye")?;
+    let eye = point(&input["at"]);
+    let cells = test.cells.as_ref().ok_or("no cells")?;
+    let names: Vec<&str> =
+        scene["cells"].as_array().unwrap().iter().map(|c| c.as_str().unwrap()).collect();
+    for cell in &cells[1..] {
+        let place = names.iter().position(|name| name == cell).ok_or("no such cell")?;
+        let target = point(&test.witness.as_ref().ok_or("no witness")?[cell]);
+        let way: Value = (0..place).collect();
+        check_witness(
+            &along(scene, &way, names[0])?,
+            &serde_json::json!([strings(&eye), strings(&target)]),
+        )?;
+    }
+    let unseen = names.iter().filter(|name| !cells.iter().any(|cell| cell == *name));
+    for name in unseen {
+        let reason = &test.certificate.as_ref().ok_or("no certificate")?["unseen"][name];
+        let axis = reason["axis"].as_u64().ok_or("no axis")? as usize;
+        let [low, high] = ["low", "high"].map(|end| number(&reason[end]["slope"]));
+        ensure(low >= high, "the slopes leave something")?;
+        for (end, is_low) in [("low", true), ("high", false)] {
+            let Some(opening) = reason[end]["opening"].as_u64() else { continue };
+            let portal = &along(scene, &(0..=opening).collect(), names[0])?[opening as usize];
+            let slope =
+                |p: &Point| (&p[axis] - &eye[axis]) / (p.last().unwrap() - eye.last().unwrap());
+            let slopes = portal.iter().map(slope);
+            let bound = if is_low { slopes.min() } else { slopes.max() };
+            ensure(bound == Some(number(&reason[end]["slope"])), "a slope is another")?;
+        }
+    }
+    Ok(())
+}
+
+fn strings(point: &[Q]) -> Vec<String> {
+    point.iter().map(ToString::to_string).collect()
+}
+
+/// Checks a test's witness, touching line or certificate.
+pub fn check(group: &Group, test: &Test) -> Result<(), String> {
+    let scene = group.scene.as_ref().map_or(&Value::Null, |scene| &scene.input);
+    let reason = test.certificate.as_ref();
+    match group.kind {
+        Kind::Eye => return check_eye(scene, test),
+        // The lines and families are the whole answer; the engine and the count by hand agree.
+        Kind::Transversals => return ensure(reason.is_some(), "no lines"),
+        Kind::Sequence | Kind::Graph | Kind::Scene => {}
+    }
+    let from = test.from.as_deref().unwrap_or_default();
+    let portals = match group.kind {
+        Kind::Sequence => polygons(&test.input.as_ref().ok_or("no input")?["portals"]),
+        Kind::Graph if test.class == Some(Class::Blocked) => Vec::new(),
+        Kind::Graph => along(scene, &serde_json::json!(test.portals), from)?,
+        _ => polygons(&reason.ok_or("no openings")?["openings"]),
+    };
+    match (test.class, &test.witness, &test.touching_line) {
+        (Some(Class::Open), Some(line), None) => check_witness(&portals, line)?,
+        (Some(Class::Grazing), None, Some(line)) => check_touching(&portals, line)?,
+        (Some(Class::Blocked), None, None) => {}
+        _ => return Err("another proof than that of its class".to_owned()),
+    }
+    let Some(reason) = reason else { return Ok(()) };
+    match group.kind {
+        Kind::Graph => {
+            let all = simple(scene, from, test.to.as_deref().unwrap(), &mut vec![], &mut vec![]);
+            let told = reason["sequences"].as_array().ok_or("no sequences")?;
+            for way in all {
+                let way = serde_json::json!(way);
+                let why =
+                    told.iter().find(|told| told["portals"] == way).ok_or("a way is left out")?;
+                check_reason(&along(scene, &way, from)?, &why["reason"])?;
+            }
+            Ok(())
+        }
+        Kind::Scene if test.class != Some(Class::Blocked) && reason["reason"].is_null() => Ok(()),
+        Kind::Scene => check_reason(&portals, &reason["reason"]),
+        _ => check_reason(&portals, reason),
+    }
+}
