@@ -1,5 +1,6 @@
 //! `stabline stress`: hard cases, made from a seed.
 
+mod laws;
 mod run;
 
 use super::exit::{Exit, Failure};
@@ -43,6 +44,10 @@ pub(super) struct Args {
     /// Ask this program, and compare its answers with ours
     #[arg(long, value_name = "PROGRAM", num_args = 1.., allow_hyphen_values = true)]
     run: Vec<String>,
+    /// Hold laws: how the answers to permuted, mirrored, moved, scaled, reversed, split, opened and
+    /// closed cases must stand to each other
+    #[arg(long)]
+    laws: bool,
     /// The program answers one line a case, one line each, in one process
     #[arg(long, requires = "run")]
     stream: bool,
@@ -65,6 +70,9 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     })?;
     let settings =
         family.settings(&args.param).map_err(|e| Failure::usage(format!("--param: {e}")))?;
+    if args.laws {
+        return laws::hold(&args, family, &settings);
+    }
     if !args.run.is_empty() {
         return run::compare(&args, family, &settings);
     }

@@ -10,9 +10,11 @@
 pub mod check;
 mod families;
 mod input;
+mod laws;
 mod own;
 mod shapes;
 
 pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError};
 pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
+pub use laws::{LAWS, Law, Relation};
 pub use own::{Fault, Finding, find, occluders_of, portal_graph, pvs_of, raised, regions_of};
