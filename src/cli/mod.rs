@@ -25,6 +25,7 @@ mod plan;
 mod program;
 mod progress;
 mod pvs;
+mod reduce;
 mod schema;
 mod stab;
 mod stress;
@@ -64,6 +65,7 @@ enum Command {
     Golden(golden::Args),
     Move(motion::Args),
     Pvs(Box<pvs::Args>),
+    Reduce(reduce::Args),
     Schema(schema::Args),
     Stab(stab::Args),
     Stress(stress::Args),
@@ -86,6 +88,7 @@ impl Command {
             Command::Golden(args) => golden::run(&args),
             Command::Move(args) => motion::run(args),
             Command::Pvs(args) => pvs::run(*args),
+            Command::Reduce(args) => reduce::run(args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
             Command::Stress(args) => stress::run(args),

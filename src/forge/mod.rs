@@ -12,9 +12,13 @@ mod families;
 mod input;
 mod laws;
 mod own;
+mod reduce;
 mod shapes;
 
 pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError};
 pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
 pub use laws::{LAWS, Law, Relation};
-pub use own::{Fault, Finding, find, occluders_of, portal_graph, pvs_of, raised, regions_of};
+pub use own::{
+    Fault, Finding, accepts, find, occluders_of, portal_graph, pvs_of, raised, regions_of, test_of,
+};
+pub use reduce::{Measure, Trial, measure, reduce};

@@ -3,11 +3,13 @@
 
 mod quadric;
 mod scene;
+mod vector;
 
 pub use scene::{occluders_of, regions_of};
+pub use vector::test_of;
 
 use super::check;
-use super::input::{Graph, Input, Polygon};
+use super::input::{Door, Graph, Input, Polygon};
 use crate::geom::{BigLine, BigPoint2, BigPoint3, RationalPoint3};
 use crate::num::{Int, Number, Rational, Surd};
 use crate::pvs;
@@ -51,6 +53,21 @@ pub fn find(input: &Input) -> Result<Finding, Fault> {
         Input::Lines(lines) => of_lines(lines),
         Input::Graph(graph) => of_pair(graph),
         Input::Scene(found) => scene::find(found, input),
+    }
+}
+
+/// Whether the input is valid.
+pub fn accepts(input: &Input) -> bool {
+    let are_distinct = |ends: &Polygon| ends.len() == 2 && ends[0] != ends[1];
+    match input {
+        Input::Sequence(portals) if input.dimension() == 2 => portals.iter().all(are_distinct),
+        Input::Sequence(portals) => on_grid(portals).is_ok(),
+        Input::Lines(lines) => lines.iter().all(are_distinct),
+        Input::Graph(graph) => {
+            let flat = |door: &Door| door.polygon.len() == 2 && !are_distinct(&door.polygon);
+            !graph.doors.iter().any(flat) && portal_graph(graph).is_ok()
+        }
+        Input::Scene(_) => scene::accepts(input),
     }
 }
 
@@ -240,10 +257,10 @@ pub fn pvs_of(graph: &Graph) -> Result<(PortalGraph, Matrix, Vec<pvs::Row>), Fau
     let witnesses = pvs::witnesses(&finished.rows);
     holds(matrix.asymmetric_pairs() == 0, "the matrix is not symmetric")?;
     let planar = built.skew_portals == 0 && built.repairs.dented_portals == 0;
-    let doors: Vec<super::input::Door> = graph
+    let doors: Vec<Door> = graph
         .doors
         .iter()
-        .map(|door| super::input::Door { cells: door.cells, polygon: raised(&door.polygon) })
+        .map(|door| Door { cells: door.cells, polygon: raised(&door.polygon) })
         .collect();
     let mut open = 0;
     for witness in &witnesses {

@@ -46,7 +46,7 @@ pub(super) const NEAR: Family = Family {
             name: "size",
             purpose: "how many units large a portal is, about",
             default: 1000,
-            range: [2, 1 << 40],
+            range: [2, 1 << 36],
         },
     ],
     make: near,
@@ -108,28 +108,45 @@ fn magnitude(random: &mut Random, settings: &Settings) -> Input {
     input.mapped(|p: &Point| (0..3).map(|i| &p[i] * &factor + &far[i]).collect())
 }
 
+fn wide_cross(a: Vector, b: Vector) -> [i128; 3] {
+    let [a, b] = [a, b].map(|v| v.map(i128::from));
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+}
+
+fn wide_dot(a: [i128; 3], b: Vector) -> i128 {
+    a.iter().zip(b).map(|(&a, b)| a * i128::from(b)).sum()
+}
+
 fn near(random: &mut Random, settings: &Settings) -> Input {
     let most = settings.get("portals");
     let count = random.between(most.min(3), most.max(3));
     let size = settings.get("size");
     let step = vector(random, 2);
     let line = add(scale(step, size), [0, 3 * size, 0]);
+    // Half of the time all edges have one direction, their portals on alternate sides of the line:
+    // then three of them leave the line no way.
+    let common = vector(random, size);
+    let across = wide_cross(common, line);
+    let is_flat = random.one_in(2) && across != [0; 3];
     let mut portals: Vec<Vec<Vector>> = (0..count)
         .map(|index| {
             loop {
                 let on_line = scale(line, index);
-                let arm = vector(random, size);
-                let other = vector(random, size);
-                let corners = match random.between(0, 2) {
+                let arm = if is_flat { common } else { vector(random, size) };
+                let mut other = vector(random, size);
+                let side = wide_dot(across, other);
+                if is_flat && (side > 0) != (index % 2 == 0) {
+                    other = scale(other, -1);
+                }
+                let corners = match if is_flat { 1 } else { random.between(0, 2) } {
                     // A vertex on the line.
                     0 => vec![on_line, add(on_line, arm), add(on_line, other)],
                     // An edge across it.
                     1 => vec![sub(on_line, arm), add(on_line, arm), add(on_line, other)],
                     _ => vec![sub(on_line, arm), add(on_line, scale(arm, 2)), add(on_line, other)],
                 };
-                let normal = cross(sub(corners[1], corners[0]), sub(corners[2], corners[0]));
-                let forwards = normal.iter().zip(line).map(|(&n, d)| i128::from(n) * i128::from(d));
-                match forwards.sum::<i128>() {
+                let normal = wide_cross(sub(corners[1], corners[0]), sub(corners[2], corners[0]));
+                match wide_dot(normal, line) {
                     0 => continue,
                     1.. => break corners,
                     _ => break corners.into_iter().rev().collect(),
@@ -143,7 +160,6 @@ fn near(random: &mut Random, settings: &Settings) -> Input {
         let moved = add(portals[portal][vertex], vector(random, 1));
         portals[portal][vertex] = moved;
     }
-    let has_area = |p: &Vec<Vector>| cross(sub(p[1], p[0]), sub(p[2], p[0])) != [0; 3];
-    portals.retain(has_area);
+    portals.retain(|p| wide_cross(sub(p[1], p[0]), sub(p[2], p[0])) != [0; 3]);
     Input::Sequence(polygons(&portals))
 }

@@ -23,7 +23,7 @@ pub(super) const BLOCKS: Family = Family {
     kind: Kind::Scene,
     purpose: "solids with coincident faces, touching in an edge or in a corner, one in the other, \
               between two boxes",
-    parameters: &[OCCLUDERS],
+    parameters: &[Parameter { default: 2, ..OCCLUDERS }],
     make: blocks,
 };
 
@@ -82,12 +82,13 @@ fn walls(random: &mut Random, settings: &Settings) -> Input {
                 _ => {}
             }
         }
-        if random.one_in(5) {
-            next.remove(random.between(0, 3) as usize);
-        }
-        polygons.push(if next.len() == 3 && polygons.is_empty() { fresh(random) } else { next });
+        polygons.push(next);
     }
-    // Triangles have no fourth edge to lean on.
+    for corners in &mut polygons {
+        if random.one_in(5) {
+            corners.remove(random.between(0, 3) as usize);
+        }
+    }
     let polygons = polygons.iter().map(|vertices| polygon(vertices)).collect();
     Input::Scene(Scene { polygons, brushes: Vec::new(), from, to })
 }

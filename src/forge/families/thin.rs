@@ -54,7 +54,7 @@ fn sliver(random: &mut Random, settings: &Settings) -> Input {
             }
         };
         // Slivers that cross each other near the axis.
-        let middle = add(vector(random, 1), [0, (aspect / 2 + 1) * index, 0]);
+        let middle = add(vector(random, 4), [0, (aspect / 2 + 1) * index, 0]);
         let along = random.between(0, 2);
         let origin = sub(middle, long.map(|c| c * along / 2));
         let corners: &[[i64; 2]] = if random.one_in(2) { &SQUARE } else { &TRIANGLE };

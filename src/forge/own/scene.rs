@@ -17,6 +17,15 @@ use crate::subdivision::plan::{PlanMethod, divide};
 use crate::vectors::{Answer, Class};
 use serde_json::{Value, json};
 
+/// Whether the scene is valid.
+pub(super) fn accepts(input: &Input) -> bool {
+    let text = input.document().to_string();
+    match input.dimension() {
+        2 => read_plan("case.json", text.as_bytes()).is_ok(),
+        _ => read_world("case.json", text.as_bytes(), &WorldOptions::default()).is_ok(),
+    }
+}
+
 /// The class of the two regions.
 pub(super) fn find(scene: &Scene, input: &Input) -> Result<Finding, Fault> {
     let mut document = input.document();
