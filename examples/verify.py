@@ -571,32 +571,36 @@ def read_prt(text):
             raise CannotMatch("the dialect of Quake 3 cannot be")
         if len(row) != 3 + 3 * size:
             raise Unreadable("a portal has another number of vertices than it says")
-        polygon = [tuple(map(number, row[i:i + 3])) for i in range(3, len(row), 3)]
-        portals.append((str(int(row[1])), str(int(row[2])), polygon))
+        vertices = [tuple(map(number, row[i:i + 3])) for i in range(3, len(row), 3)]
+        portals.append((str(int(row[1])), str(int(row[2])), vertices))
     return [str(cell) for cell in range(cells)], portals
 
 
 def read_json(text):
     scene = json.loads(text, parse_float=str)
     portals = scene.get("portals") if isinstance(scene, dict) else None
-    if portals is None or any("polygon" not in portal for portal in portals):
-        raise CannotMatch("only a portal file or a JSON portal graph in space can be")
-    return scene["cells"], [
-        (portal["from"], portal["to"], [tuple(map(number, v)) for v in portal["polygon"]])
-        for portal in portals]
+    if portals is None:
+        raise CannotMatch("only a portal file or a JSON portal graph can be")
+    return scene["cells"], [(portal["from"], portal["to"], polygon(portal)) for portal in portals]
 
 
-def read_input(path):
+def polygon(portal):
+    """A portal's vertices; a segment, its left end first, is one with a height of 1."""
+    if "polygon" in portal:
+        return [tuple(map(number, vertex)) for vertex in portal["polygon"]]
+    left, right = [tuple(map(number, end)) for end in portal["segment"]]
+    return [right + (0,), left + (0,), left + (1,), right + (1,)]
+
+
+def read_graph(content):
+    """Names of cells, and portals, of an input."""
     try:
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
+        text = content.decode("utf-8")
         return read_prt(text) if text.lstrip()[:3] == "PRT" else read_json(text)
     except UnicodeDecodeError:
         raise CannotMatch("only a portal file or a JSON portal graph can be") from None
     except json.JSONDecodeError:
         raise CannotMatch("only PRT1, PRT2 and JSON can be") from None
-    except OSError as error:
-        raise Unreadable(error.strerror) from None
     except (ValueError, KeyError, TypeError, IndexError, StopIteration) as error:
         raise Unreadable("broken: %s %s" % (type(error).__name__, error)) from None
 
@@ -605,16 +609,16 @@ def vector(a, b):
     return tuple(y - x for x, y in zip(a, b))
 
 
-def area(polygon):
+def area(outline):
     """Twice the vector area."""
-    parts = [cross(vector(polygon[0], a), vector(polygon[0], b))
-             for a, b in zip(polygon[1:], polygon[2:])]
+    parts = [cross(vector(outline[0], a), vector(outline[0], b))
+             for a, b in zip(outline[1:], outline[2:])]
     return tuple(map(sum, zip(*parts))) if parts else (0, 0, 0)
 
 
-def cleaned(polygon):
+def cleaned(outline):
     """The polygon without repeated vertices and those between their neighbours on one line."""
-    kept = list(polygon)
+    kept = list(outline)
     at = 0
     while len(kept) > 2 and at < len(kept):
         before, here, after = kept[at - 1], kept[at], kept[(at + 1) % len(kept)]
@@ -627,9 +631,9 @@ def cleaned(polygon):
     return kept
 
 
-def rotated(polygon):
-    at = polygon.index(min(polygon))
-    return polygon[at:] + polygon[:at]
+def rotated(outline):
+    at = outline.index(min(outline))
+    return outline[at:] + outline[:at]
 
 
 def unescaped(name):
@@ -648,17 +652,17 @@ def match(graph, cells, portals):
                   for v in (graph.vertices[c] for c in corners)]
         pieces.setdefault(numbered, []).append((cells[a], cells[b], points))
     need(set(pieces) == set(range(len(portals))), "the portals' numbers differ")
-    for numbered, (a, b, polygon) in enumerate(portals):
+    for numbered, (a, b, outline) in enumerate(portals):
         mine = pieces[numbered]
         where = "portal %d of the input differs: its " % numbered
         need(all(piece[:2] == (a, b) for piece in mine), where + "cells")
-        if len(mine) == 1 and rotated(mine[0][2]) == rotated(cleaned(polygon)):
+        if len(mine) == 1 and rotated(mine[0][2]) == rotated(cleaned(outline)):
             continue
         # A portal that is not planar and convex is cut into triangles, which keep its vector area.
         need(all(len(points) == 3 for _, _, points in mine), where + "vertices")
-        need(all(v in polygon for _, _, points in mine for v in points), where + "vertices")
+        need(all(v in outline for _, _, points in mine for v in points), where + "vertices")
         total = tuple(map(sum, zip(*[area(points) for _, _, points in mine])))
-        need(total == area(polygon), where + "area")
+        need(total == area(outline), where + "area")
 
 
 # The command.
@@ -682,49 +686,68 @@ def check(path):
                 return 0, summary, graph
             except Wrong as wrong:
                 code = 3 if lines.number == 1 else 5
-                return code, "%s:%d: %s" % (path, lines.number, wrong), None
+                return code, "%s: line %d: %s" % (path, lines.number, wrong), None
     except OSError as error:
         return 3, "%s: %s" % (path, error.strerror), None
 
 
-def check_input(graph, proof, path):
+def check_input(graph, proof, path, content):
+    """(exit code, message) of the comparison with an input."""
     try:
-        match(graph, *read_input(path))
-        print("the proof's graph is that of %s" % path)
-        return 0
+        match(graph, *read_graph(content))
+        return 0, "the proof's graph is that of %s" % path
     except CannotMatch as why:
-        print("%s: not matched: %s; the proof holds for the portal graph that it states"
-              % (path, why), file=sys.stderr)
-        return 0
+        return 0, ("%s: not matched: %s; the proof holds for the portal graph that it states"
+                   % (path, why))
     except Unreadable as error:
-        print("error: %s: %s" % (path, error), file=sys.stderr)
-        return 3
+        return 3, "%s: %s" % (path, error)
     except Wrong as wrong:
-        print("error: %s: the proof is of another graph than %s: %s" % (proof, path, wrong),
-              file=sys.stderr)
-        return 5
+        return 5, "%s: the proof is of another graph than %s: %s" % (proof, path, wrong)
+
+
+def failed(code, message):
+    print("error: " + message, file=sys.stderr)
+    return code
+
+
+def check_each(paths):
+    codes = []
+    for path in paths:
+        code, message, _ = check(path)
+        codes.append(code)
+        print(code, message.splitlines()[0])
+    return max(codes, default=0)
 
 
 def main(arguments):
     if hasattr(sys, "set_int_max_str_digits"):
         sys.set_int_max_str_digits(0)
     if arguments[:1] == ["--each"]:
-        codes = []
-        for path in arguments[1:]:
-            code, message, _ = check(path)
-            codes.append(code)
-            print(code, message.splitlines()[0])
-        return max(codes, default=0)
+        return check_each(arguments[1:])
     if len(arguments) not in (1, 2) or arguments[0].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 2
+    content = None
+    if len(arguments) == 2:
+        try:
+            with open(arguments[1], "rb") as file:
+                content = file.read()
+        except OSError as error:
+            return failed(3, "%s: %s" % (arguments[1], error.strerror))
     path = proof_file(arguments[0])
     code, message, graph = check(path)
     if code:
-        print("error: " + message, file=sys.stderr)
-        return code
+        return failed(code, message)
+    if content is not None:
+        code, matched = check_input(graph, path, arguments[1], content)
+        if code:
+            return failed(code, matched)
+        if ": not matched: " in matched:
+            print(matched, file=sys.stderr)
+        else:
+            message += "\n" + matched
     print(message)
-    return check_input(graph, path, arguments[1]) if len(arguments) == 2 else 0
+    return 0
 
 
 if __name__ == "__main__":

@@ -226,16 +226,7 @@ pub fn mutated(parts: &Parts, kind: Kind, random: &mut Random) -> Option<Vec<Str
         }
         Kind::Weight | Kind::Factor => {
             let (line, at) = refutation_field(parts, kind == Kind::Weight, random)?;
-            change_field(&mut lines[line], at, |field| match field.split_once('.') {
-                Some((portal, edge)) if random.one_in(2) => {
-                    format!("{}.{edge}", step(portal, random))
-                }
-                Some((portal, edge)) => format!("{portal}.{}", step(edge, random)),
-                None if field.starts_with(['o', 'h']) => {
-                    format!("{}{}", &field[..1], step(&field[1..], random))
-                }
-                None => step(field, random),
-            });
+            change_field(&mut lines[line], at, |field| step_factor(field, random));
         }
     }
     (lines != parts.lines).then_some(lines)
@@ -255,6 +246,18 @@ fn step(number: &str, random: &mut Random) -> String {
     let number: BigInt = number.parse().expect("a number");
     let change: BigInt = if random.one_in(2) { 1 } else { -1 }.into();
     (number + change).to_string()
+}
+
+/// A weight, or a number of a factor, one more or less.
+fn step_factor(field: &str, random: &mut Random) -> String {
+    match field.split_once('.') {
+        Some((portal, edge)) if random.one_in(2) => format!("{}.{edge}", step(portal, random)),
+        Some((portal, edge)) => format!("{portal}.{}", step(edge, random)),
+        None if field.starts_with(['o', 'h']) => {
+            format!("{}{}", &field[..1], step(&field[1..], random))
+        }
+        None => step(field, random),
+    }
 }
 
 fn change_digit(line: &mut String, random: &mut Random) -> Option<()> {
