@@ -6,6 +6,7 @@ pub mod construct;
 pub mod csg;
 pub mod draw;
 pub mod eye;
+pub mod forge;
 pub mod formats;
 pub mod geom;
 pub mod motion;

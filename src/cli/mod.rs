@@ -27,6 +27,7 @@ mod progress;
 mod pvs;
 mod schema;
 mod stab;
+mod stress;
 mod transversals;
 mod vectors;
 mod verify;
@@ -65,6 +66,7 @@ enum Command {
     Pvs(Box<pvs::Args>),
     Schema(schema::Args),
     Stab(stab::Args),
+    Stress(stress::Args),
     Transversals(transversals::Args),
     Vectors(vectors::Args),
     Verify(verify::Args),
@@ -86,6 +88,7 @@ impl Command {
             Command::Pvs(args) => pvs::run(*args),
             Command::Schema(args) => schema::run(args),
             Command::Stab(args) => stab::run(args),
+            Command::Stress(args) => stress::run(args),
             Command::Transversals(args) => transversals::run(args),
             Command::Vectors(args) => vectors::run(args),
             Command::Verify(args) => verify::run(args),

@@ -6,6 +6,7 @@
 
 mod families;
 mod linear;
+mod lines;
 mod motion;
 mod overlap;
 mod plan;
@@ -18,6 +19,7 @@ mod world;
 
 pub use crate::num::Random;
 pub use families::{Family, sequence, sequence_2d};
+pub use lines::{MeetingLines, meeting_lines};
 pub use motion::first_contact;
 pub use overlap::overlap;
 pub use plan::{Door, Flat, flat_pairs, flat_seers};

@@ -40,6 +40,21 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "eye",
         ],
     ),
+    (
+        "forge",
+        &[
+            "num",
+            "geom",
+            "formats",
+            "stab",
+            "scene",
+            "subdivision",
+            "portal",
+            "report",
+            "pvs",
+            "vectors",
+        ],
+    ),
     ("draw", &["num", "predicates", "scene", "subdivision", "portal"]),
     ("oracle", &["num", "geom"]),
     (
@@ -62,6 +77,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "vectors",
             "draw",
             "verify",
+            "forge",
         ],
     ),
 ];

@@ -1,0 +1,308 @@
+//! The engine against its twins and against the checker, on as many cases of every family as there
+//! is time for:
+//!
+//!     cargo run --release --example soak -- --cases 100000 --threads 2
+//!
+//! Each case is answered by the engine, whose witness or certificate is held by the definitions
+//! (`forge::check`), and by a brute-force twin (`oracle`) that shares nothing with it. The first
+//! disagreement ends the run with its seed and number. The digest of a family is the BLAKE3 hash of
+//! all its answers, the same on every machine: `--check FILE` compares them with those kept there,
+//! `--write FILE` keeps them.
+
+use stabline::forge::{
+    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, occluders_of, portal_graph,
+};
+use stabline::formats::blake3;
+use stabline::geom::{BigPoint2, RationalPoint3};
+use stabline::num::{Int, Rational};
+use stabline::oracle::{
+    Gate, MeetingLines, PlaneTruth, Truth, classify, classify_2d, meeting_lines, on_common_grid,
+    open_pairs, touched_pairs,
+};
+use stabline::pvs::{self, Found};
+use stabline::report::{InputId, Matrix, ProofHead, Silent, Verdict};
+use stabline::scene::PortalGraph;
+use stabline::vectors::{Answer, Class, LineCount};
+use stabline::verify::verify;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// Cases that a thread takes at a time.
+const BLOCK: u64 = 50;
+
+struct Options {
+    cases: u64,
+    seed: u64,
+    seconds: Option<u64>,
+    threads: usize,
+    family: Option<String>,
+    check: Option<String>,
+    write: Option<String>,
+}
+
+fn options() -> Result<Options, String> {
+    let mut options = Options {
+        cases: 1000,
+        seed: 1,
+        seconds: None,
+        threads: 1,
+        family: None,
+        check: None,
+        write: None,
+    };
+    let mut arguments = std::env::args().skip(1);
+    while let Some(name) = arguments.next() {
+        let value = arguments.next().ok_or_else(|| format!("{name}: expected a value"))?;
+        let number = || value.parse::<u64>().map_err(|_| format!("{name}: not a number: {value}"));
+        match name.as_str() {
+            "--cases" => options.cases = number()?,
+            "--seed" => options.seed = number()?,
+            "--seconds" => options.seconds = Some(number()?),
+            "--threads" => options.threads = number()?.max(1) as usize,
+            "--family" => options.family = Some(value),
+            "--check" => options.check = Some(value),
+            "--write" => options.write = Some(value),
+            _ => return Err(format!("{name}: no such option")),
+        }
+    }
+    Ok(options)
+}
+
+fn main() -> ExitCode {
+    match options().and_then(|options| run(&options)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(what) => {
+            eprintln!("error: {what}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), String> {
+    let chosen = |family: &&Family| options.family.as_ref().is_none_or(|name| name == family.name);
+    let families: Vec<&Family> = FAMILIES.iter().filter(chosen).collect();
+    if families.is_empty() {
+        return Err("no such family".to_owned());
+    }
+    let mut lines = String::new();
+    for family in families {
+        let start = Instant::now();
+        let Soaked { count, digest, open, grazing } = soak(family, options)?;
+        let line = format!("{} {count} seed {} {digest}\n", family.name, options.seed);
+        let seconds = start.elapsed().as_secs_f64();
+        println!(
+            "{} {open} open {grazing} grazing, {seconds:.1} s, {:.0} a second",
+            line.trim_end(),
+            count as f64 / seconds
+        );
+        lines.push_str(&line);
+    }
+    if let Some(path) = &options.write {
+        std::fs::write(path, &lines).map_err(|error| format!("{path}: {error}"))?;
+    }
+    if let Some(path) = &options.check {
+        let kept = std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
+        if let Some(line) = lines.lines().find(|line| !kept.lines().any(|kept| kept == *line)) {
+            return Err(format!("{path} does not have: {line}"));
+        }
+    }
+    Ok(())
+}
+
+struct Soaked {
+    count: u64,
+    digest: String,
+    open: u64,
+    grazing: u64,
+}
+
+/// A block's hash of answers, and how many were open and grazing.
+type Block = (String, u64, u64);
+
+fn soak(family: &Family, options: &Options) -> Result<Soaked, String> {
+    let deadline = options.seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds));
+    let settings = family.settings(&[]).map_err(|error| error.to_string())?;
+    let (next, stop) = (AtomicU64::new(0), AtomicBool::new(false));
+    let blocks: Mutex<Vec<(u64, Block)>> = Mutex::new(Vec::new());
+    let failure: Mutex<Option<(u64, String)>> = Mutex::new(None);
+    let work = || {
+        while !stop.load(Ordering::Relaxed) && deadline.is_none_or(|end| Instant::now() < end) {
+            let block = next.fetch_add(1, Ordering::Relaxed);
+            let (first, last) = (block * BLOCK, ((block + 1) * BLOCK).min(options.cases));
+            if first >= last {
+                return;
+            }
+            let (mut text, mut open, mut grazing) = (String::new(), 0, 0);
+            for number in first..last {
+                let input = family.input(&settings, options.seed, number);
+                match compare(&input) {
+                    Ok(said) => {
+                        open += u64::from(said.answer == Answer::Class(Class::Open));
+                        grazing += u64::from(said.answer == Answer::Class(Class::Grazing));
+                        text.push_str(&format!("{number} {:?} {}\n", said.answer, said.evidence));
+                    }
+                    Err(what) => {
+                        stop.store(true, Ordering::Relaxed);
+                        let name = family.name;
+                        let case = input.case(number as u32, name, &[name]).to_line();
+                        let seed = options.seed;
+                        let what = format!("{name}, seed {seed}, case {number}: {what}\n{case}");
+                        let mut failure = failure.lock().unwrap();
+                        if failure.as_ref().is_none_or(|(other, _)| number < *other) {
+                            *failure = Some((number, what));
+                        }
+                        return;
+                    }
+                }
+            }
+            blocks.lock().unwrap().push((block, (blake3::hex(text.as_bytes()), open, grazing)));
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..options.threads {
+            scope.spawn(work);
+        }
+    });
+    if let Some((_, what)) = failure.into_inner().unwrap() {
+        return Err(what);
+    }
+    let mut blocks = blocks.into_inner().unwrap();
+    blocks.sort_unstable_by_key(|(block, _)| *block);
+    let all: String = blocks.iter().map(|(_, (hash, ..))| hash.as_str()).collect();
+    let count = (blocks.len() as u64 * BLOCK).min(options.cases);
+    let open = blocks.iter().map(|(_, (_, open, _))| open).sum();
+    let grazing = blocks.iter().map(|(_, (_, _, grazing))| grazing).sum();
+    Ok(Soaked { count, digest: blake3::hex(all.as_bytes()), open, grazing })
+}
+
+/// The engine's answer, if the checker and the twin agree with it.
+fn compare(input: &Input) -> Result<Finding, String> {
+    let found = find(input).map_err(|fault| fault.to_string())?;
+    let expected = match input {
+        Input::Sequence(portals) if input.dimension() == 2 => {
+            let segments: Vec<[BigPoint2; 2]> = plane_points(portals);
+            Answer::Class(match classify_2d(&segments) {
+                PlaneTruth::Open => Class::Open,
+                PlaneTruth::Grazing => Class::Grazing,
+                PlaneTruth::Blocked => Class::Blocked,
+            })
+        }
+        Input::Sequence(portals) => {
+            let points: Vec<Vec<RationalPoint3>> =
+                portals.iter().map(|polygon| polygon.iter().map(|p| point3(p)).collect()).collect();
+            let slices: Vec<&[RationalPoint3]> = points.iter().map(Vec::as_slice).collect();
+            Answer::Class(match classify(&on_common_grid(&slices).1) {
+                Truth::Open(_) => Class::Open,
+                Truth::Grazing(_) => Class::Grazing,
+                Truth::Blocked => Class::Blocked,
+            })
+        }
+        Input::Lines(lines) => {
+            let ends = |k: usize| [0, 1].map(|end| [0, 1, 2].map(|i| lines[k][end][i].clone()));
+            Answer::Lines(match meeting_lines(&[0, 1, 2, 3].map(ends)) {
+                MeetingLines::None => LineCount::None,
+                MeetingLines::One => LineCount::One,
+                MeetingLines::Two => LineCount::Two,
+                MeetingLines::Family => LineCount::Family,
+            })
+        }
+        Input::Graph(graph) => Answer::Class(twin_of_graph(graph)?),
+        // The sightline of what is open was held; sampled points must not see more than that.
+        Input::Scene(scene) if found.answer != Answer::Class(Class::Open) => {
+            match sampled_sight(scene) {
+                Some(points) => return Err(format!("{points:?} see each other: {found:?}")),
+                None => found.answer.clone(),
+            }
+        }
+        Input::Scene(_) => found.answer.clone(),
+    };
+    if found.answer == expected {
+        Ok(found)
+    } else {
+        Err(format!("the engine says {:?}, the twin {expected:?}", found.answer))
+    }
+}
+
+/// Two points of the regions between which nothing stands, if some of these do.
+fn sampled_sight(scene: &Scene) -> Option<[[Rational; 3]; 2]> {
+    let occluders = occluders_of(scene);
+    let [from, to] = [&scene.from, &scene.to].map(|region| samples(region));
+    let pairs = from.iter().flat_map(|p| to.iter().map(move |q| [p.clone(), q.clone()]));
+    pairs.into_iter().find(|[p, q]| forge::check::is_clear(p, q, &occluders))
+}
+
+/// Inner points of a box by two corners, or of a polygon of the plane: near the corners, and
+/// towards the middle.
+fn samples(region: &[Vec<Rational>]) -> Vec<[Rational; 3]> {
+    let ratio = |p: i64, q: i64| Rational::new(Int::from(p), Int::from(q));
+    let corners: Vec<[Rational; 3]> = match region {
+        [low, high] => {
+            (0..8).map(|bits| [0, 1, 2].map(|i| [low, high][bits >> i & 1][i].clone())).collect()
+        }
+        polygon => polygon.iter().map(|p| [p[0].clone(), p[1].clone(), ratio(1, 2)]).collect(),
+    };
+    let count = ratio(corners.len() as i64, 1);
+    let middle = [0, 1, 2].map(|i| corners.iter().map(|p| &p[i]).sum::<Rational>() / &count);
+    let mut points = vec![middle.clone()];
+    for share in [ratio(1, 1000), ratio(1, 3)] {
+        points.extend(
+            corners.iter().map(|p| [0, 1, 2].map(|i| &p[i] + (&middle[i] - &p[i]) * &share)),
+        );
+    }
+    points
+}
+
+/// The proof of the graph's PVS, grazing pairs included, as the independent checker takes it.
+fn check_proof(built: &PortalGraph, matrix: &Matrix, rows: &[pvs::Row]) -> Result<(), String> {
+    let mut matrix = matrix.clone();
+    let grazing = pvs::classify_grazing(built, &mut matrix, None, &Silent).ok_or("interrupted")?;
+    let found = Found { matrix: &matrix, rows, grazing: &grazing };
+    let input = InputId { name: "a graph".to_owned(), blake3: "0".repeat(64) };
+    let head = ProofHead { program: "stabline", input: &input };
+    let text = pvs::write_proof(Vec::new(), &head, built, &found, &Silent);
+    let text = text.map_err(|error| error.to_string())?.ok_or("interrupted")?;
+    verify(text.as_slice()).map(drop).map_err(|flaw| format!("the proof does not hold: {flaw}"))
+}
+
+fn point3(p: &[Rational]) -> RationalPoint3 {
+    RationalPoint3::from(&[0, 1, 2].map(|i| p[i].clone()))
+}
+
+fn plane_points(segments: &[Vec<Vec<Rational>>]) -> Vec<[BigPoint2; 2]> {
+    let all = segments.iter().flatten().flatten();
+    let unit = all.fold(Int::from(1), |common, c| num_integer::lcm(common, c.denom().clone()));
+    let end =
+        |p: &Vec<Rational>| BigPoint2 { coordinates: [0, 1].map(|i| (&p[i] * &unit).to_integer()) };
+    segments.iter().map(|ends| [end(&ends[0]), end(&ends[1])]).collect()
+}
+
+/// What the walk over all sequences says of the pair; of all other pairs, that it says the same.
+fn twin_of_graph(graph: &Graph) -> Result<Class, String> {
+    let built = portal_graph(graph).map_err(|fault| fault.to_string())?;
+    let gates: Vec<Gate> = built
+        .portals
+        .iter()
+        .map(|portal| Gate {
+            from: portal.from.0 as usize,
+            to: portal.to.0 as usize,
+            vertices: built.corners(portal).cloned().collect(),
+        })
+        .collect();
+    let open = open_pairs(graph.cells, &gates);
+    let (_, matrix, rows) = forge::pvs_of(graph).map_err(|fault| fault.to_string())?;
+    check_proof(&built, &matrix, &rows)?;
+    for (a, row) in open.iter().enumerate() {
+        for (b, &is_open) in row.iter().enumerate() {
+            if is_open != (matrix.get(a, b) == Verdict::Open) {
+                return Err(format!("cells {a} and {b}: the twin says open: {is_open}"));
+            }
+        }
+    }
+    if open[graph.from][graph.to] {
+        return Ok(Class::Open);
+    }
+    let touched = touched_pairs(graph.cells, &gates)[graph.from][graph.to];
+    Ok(if touched { Class::Grazing } else { Class::Blocked })
+}

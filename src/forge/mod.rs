@@ -1,0 +1,20 @@
+//! The degeneracy forge: families of hard cases, laws that answers must obey, and a reducer.
+//!
+//! A [`Family`] makes inputs from a seed, each about one way of being degenerate: a function of the
+//! family, its parameters, the seed and the case's number, the same on every machine. [`find`] is
+//! our own answer with its evidence held by [`check`], which knows the definitions and nothing of
+//! the engine. `docs/forge.md` lists the families with their purposes.
+//!
+//! No program is run here: that is `cli`'s.
+
+pub mod check;
+mod families;
+mod input;
+mod laws;
+mod own;
+mod shapes;
+
+pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError};
+pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
+pub use laws::{LAWS, Law, Relation};
+pub use own::{Fault, Finding, find, occluders_of, portal_graph, pvs_of, raised, regions_of};
