@@ -82,7 +82,8 @@ fn walls(random: &mut Random, settings: &Settings) -> Input {
                 _ => {}
             }
         }
-        if random.one_in(5) {
+        // Of a triangle, as the one before may be, nothing is left to be taken.
+        if next.len() > 3 && random.one_in(5) {
             next.remove(random.between(0, 3) as usize);
         }
         polygons.push(if next.len() == 3 && polygons.is_empty() { fresh(random) } else { next });
