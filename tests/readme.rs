@@ -49,7 +49,12 @@ fn every_example_prints_what_the_readme_shows() {
         if command.contains(&"other.npy") {
             spoil(&at.join("gallery.npy"), &at.join("other.npy"));
         }
-        let absolute = |part: &&str| match part.starts_with("scenes/") {
+        // The command runs beside its outputs; these folders are the repository's.
+        let is_ours = |part: &str| {
+            let folder = part.split_once('/').map_or(part, |(folder, _)| folder);
+            folder == "scenes" || (part != folder && ["snapshots", "vectors"].contains(&folder))
+        };
+        let absolute = |part: &&str| match is_ours(part) {
             true => root.join(part).to_string_lossy().into_owned(),
             false => (*part).to_owned(),
         };

@@ -2,14 +2,16 @@
 //!
 //! `STABLINE_SEQUENCES=N` sets the number of sequences a family (default 150).
 
+mod support;
+
 use num_traits::Signed;
 use stabline::geom::BigPoint3;
 use stabline::num::{Int, Rational, Sign, Surd};
 use stabline::oracle::{Family, Truth, classify, sequence};
 use stabline::stab::{
-    Certificate, Condition, EdgeName, Portal3, StabLine, Stabber, Term, Verdict, Witness,
-    decide_open,
+    Certificate, Portal3, QuadricProof, StabLine, Stabber, Verdict, Witness, decide_open,
 };
+use support::certificate;
 
 fn count() -> u64 {
     std::env::var("STABLINE_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(150)
@@ -139,28 +141,9 @@ fn touches(line: &StabLine, portals: &[Vec<BigPoint3>]) -> bool {
     })
 }
 
-/// Whether the weighted edges sum to zero, with positive weights without a common factor.
-fn sums_to_zero(terms: &[Term], portals: &[Vec<BigPoint3>]) -> bool {
-    let mut sum: [Int; 6] = std::array::from_fn(|_| Int::from(0));
-    for term in terms {
-        let Condition::Edge(EdgeName { portal, edge }) = term.condition else { return false };
-        let portal = &portals[portal];
-        let p = &portal[edge].coordinates;
-        let q = &portal[(edge + 1) % portal.len()].coordinates;
-        let moment = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &p[i] * &q[j] - &p[j] * &q[i]);
-        for i in 0..3 {
-            sum[i] += &term.weight * (&q[i] - &p[i]);
-            sum[i + 3] += &term.weight * &moment[i];
-        }
-    }
-    !terms.is_empty()
-        && terms.len() <= 7
-        && terms.iter().all(|term| term.weight.is_positive())
-        && sum.iter().all(|c| *c == Int::from(0))
-}
-
 #[test]
 fn verdicts_are_those_of_the_twin() {
+    let mut quadrics = 0;
     for family in Family::ALL {
         let mut counts = [0; 3];
         for seed in 0..count() {
@@ -186,10 +169,10 @@ fn verdicts_are_those_of_the_twin() {
                 }
                 _ => panic!("{name}: {verdict:?}, but the twin says {truth:?}"),
             };
-            match certificate {
-                Certificate::Gordan(terms) => assert!(sums_to_zero(terms, &points), "{name}"),
-                Certificate::Quadric(_) => {}
+            if let Err(why) = certificate::check(&points, false, certificate) {
+                panic!("{name}: {why}: {certificate:?}");
             }
+            quadrics += tampered_are_refused(&points, certificate, &name);
             for extremal in stabber.extremal_lines() {
                 assert!(touches(&extremal.line, &points), "{name}: {extremal:?}");
                 assert!(extremal.edges.len() >= 4, "{name}: {extremal:?}");
@@ -197,6 +180,26 @@ fn verdicts_are_those_of_the_twin() {
         }
         println!("{family:?}: {counts:?} open, grazing, blocked");
     }
+    println!("{quadrics} by the quadric");
+    assert!(quadrics > 10, "{quadrics}");
+}
+
+/// Changes each weight and each multiple of a quadric certificate by one, which must be noticed;
+/// whether it is one.
+fn tampered_are_refused(points: &[Vec<BigPoint3>], certificate: &Certificate, name: &str) -> u32 {
+    let Certificate::Quadric(QuadricProof::Identity { multiple, products }) = certificate else {
+        return 0;
+    };
+    for at in 0..=products.len() {
+        let (mut multiple, mut products) = (multiple.clone(), products.clone());
+        match products.get_mut(at) {
+            Some(product) => product.weight += 1,
+            None => multiple += 1,
+        }
+        let tampered = Certificate::Quadric(QuadricProof::Identity { multiple, products });
+        assert!(certificate::check(points, false, &tampered).is_err(), "{name}: {at}");
+    }
+    1
 }
 
 /// Whether the line crosses each portal's plane strictly before the next one's, planes that are

@@ -2,10 +2,13 @@
 //!
 //! All coordinates are those of the input file: grid units divided by the denominator.
 
+mod certificate;
+
 use crate::geom::BigPoint2;
-use crate::num::{Int, Rational, Sign, Surd};
-use crate::stab::hourglass::{End, EndTerm, PlaneVerdict};
-use crate::stab::{Certificate, Condition, ExtremalLine, StabLine, Verdict, Witness};
+use crate::num::{Int, Rational, Surd};
+use crate::stab::hourglass::PlaneVerdict;
+use crate::stab::{Certificate, ExtremalLine, StabLine, Verdict, Witness};
+use certificate::CertificateReport;
 use num_traits::ToPrimitive;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -63,60 +66,6 @@ enum Integer {
     Large(#[schemars(regex(pattern = "^-?[0-9]+$"))] String),
 }
 
-/// Why a sequence is not open.
-#[derive(Serialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum CertificateReport {
-    /// The weighted sum of the conditions' vectors is zero.
-    Gordan { terms: Vec<TermReport> },
-    /// The signs of the Klein quadric on the cone's rays and edges.
-    Cone { rays: Vec<RayReport>, edges: Vec<FaceReport> },
-}
-
-/// A condition and its weight.
-#[derive(Serialize, JsonSchema)]
-struct TermReport {
-    portal: usize,
-    #[serde(flatten)]
-    what: ConditionReport,
-    weight: Integer,
-}
-
-/// What a line has to do at a portal.
-#[derive(Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-enum ConditionReport {
-    /// Pass this edge on its positive side: it runs from this vertex to the next.
-    Edge(usize),
-    /// Cross this portal after that one.
-    After(usize),
-    /// In the plane: leave this end on its side.
-    End(EndName),
-}
-
-/// One end of a segment, as the line sees it.
-#[derive(Clone, Copy, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-enum EndName {
-    Left,
-    Right,
-}
-
-/// An extreme ray of the cone.
-#[derive(Serialize, JsonSchema)]
-struct RayReport {
-    direction: [Integer; 3],
-    moment: [Integer; 3],
-    sign: i8,
-}
-
-/// Two adjacent rays.
-#[derive(Serialize, JsonSchema)]
-struct FaceReport {
-    rays: [usize; 2],
-    sign: i8,
-}
-
 /// An extremal stabbing line.
 #[derive(Serialize, JsonSchema)]
 struct LineReport {
@@ -142,7 +91,7 @@ impl StabReport {
         denominator: &Int,
         list: bool,
     ) -> StabReport {
-        let certificate = |c: &Certificate| Some(certificate_report(c, denominator));
+        let certificate = |c: &Certificate| Some(CertificateReport::new(c, denominator));
         let (name, witness, touching_line, certificate) = match verdict {
             Verdict::Open { witness } => (VerdictName::Open, Some(witness), None, None),
             Verdict::Grazing { touching_line, certificate: c } => {
@@ -170,9 +119,7 @@ impl StabReport {
         let line = |points: &[BigPoint2; 2]| {
             points.each_ref().map(|p| p.coordinates.iter().map(number).collect())
         };
-        let terms = |terms: &[EndTerm]| CertificateReport::Gordan {
-            terms: terms.iter().map(end_report).collect(),
-        };
+        let terms = CertificateReport::of_plane;
         let (verdict, witness, touching_line, certificate) = match verdict {
             PlaneVerdict::Open(witness) => {
                 let points = witness.points.each_ref().map(|p| p.iter().map(ratio).collect());
@@ -220,7 +167,7 @@ impl StabReport {
             text.push_str(&format!("touching line {}\n", points_text(points)));
         }
         if let Some(certificate) = &self.certificate {
-            text.push_str(&certificate_text(certificate));
+            text.push_str(&certificate.text());
         }
         if let Some(count) = self.extremal_lines {
             text.push_str(&format!("extremal lines {count}\n"));
@@ -269,42 +216,6 @@ fn line_report(line: &ExtremalLine, denominator: &Int) -> LineReport {
     LineReport { edges: edges.collect(), points: world_numbers(&line.line, denominator) }
 }
 
-fn end_report(term: &EndTerm) -> TermReport {
-    let end = match term.end {
-        End::Left => EndName::Left,
-        End::Right => EndName::Right,
-    };
-    let what = ConditionReport::End(end);
-    TermReport { portal: term.portal, what, weight: integer(&term.weight) }
-}
-
-fn certificate_report(certificate: &Certificate, denominator: &Int) -> CertificateReport {
-    match certificate {
-        Certificate::Gordan(terms) => {
-            let terms = terms.iter().map(|term| match term.condition {
-                Condition::Edge(name) => {
-                    (name.portal, ConditionReport::Edge(name.edge), &term.weight)
-                }
-                Condition::Order { portal } => {
-                    (portal, ConditionReport::After(portal - 1), &term.weight)
-                }
-            });
-            let report =
-                |(portal, what, weight)| TermReport { portal, what, weight: integer(weight) };
-            CertificateReport::Gordan { terms: terms.map(report).collect() }
-        }
-        Certificate::Quadric(_) => CertificateReport::Cone { rays: Vec::new(), edges: Vec::new() },
-    }
-}
-
-fn sign_number(sign: Sign) -> i8 {
-    match sign {
-        Sign::Negative => -1,
-        Sign::Zero => 0,
-        Sign::Positive => 1,
-    }
-}
-
 fn ratios_text(point: &[Ratio]) -> String {
     let coordinates: Vec<&str> = point.iter().map(|c| c.0.as_str()).collect();
     format!("({})", coordinates.join(", "))
@@ -319,37 +230,4 @@ fn points_text([p, q]: &[Vec<Number>; 2]) -> String {
     };
     let point = |p: &[Number]| p.iter().map(coordinate).collect::<Vec<_>>().join(", ");
     format!("({}) -> ({})", point(p), point(q))
-}
-
-fn certificate_text(certificate: &CertificateReport) -> String {
-    let integer_text = |value: &Integer| match value {
-        Integer::Small(value) => value.to_string(),
-        Integer::Large(value) => value.clone(),
-    };
-    match certificate {
-        CertificateReport::Gordan { terms } => {
-            let term = |term: &TermReport| {
-                let what = match term.what {
-                    ConditionReport::Edge(edge) => format!("edge {}.{edge}", term.portal),
-                    ConditionReport::After(before) => {
-                        format!("portal {} after {before}", term.portal)
-                    }
-                    ConditionReport::End(EndName::Left) => format!("left end {}", term.portal),
-                    ConditionReport::End(EndName::Right) => format!("right end {}", term.portal),
-                };
-                format!("gordan {} x {what}\n", integer_text(&term.weight))
-            };
-            terms.iter().map(term).collect()
-        }
-        CertificateReport::Cone { rays, edges } => {
-            let count = |list: &mut dyn Iterator<Item = i8>| {
-                let mut counts = [0; 3];
-                list.for_each(|sign| counts[(sign + 1) as usize] += 1);
-                format!("{} negative, {} zero, {} positive", counts[0], counts[1], counts[2])
-            };
-            let on_rays = count(&mut rays.iter().map(|ray| ray.sign));
-            let on_edges = count(&mut edges.iter().map(|edge| edge.sign));
-            format!("cone rays: {on_rays}\ncone edges: {on_edges}\n")
-        }
-    }
 }

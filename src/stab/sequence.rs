@@ -135,9 +135,8 @@ pub struct Portal3 {
     /// Invariant: primitive, not zero, `normal · v = offset` for every vertex.
     normal: [Int; 3],
     offset: Int,
-    /// Primitive edge directions: vertex `i + 1` minus vertex `i`, divided by `lengths[i]`.
+    /// Primitive edge directions: those from vertex `i` to vertex `i + 1`.
     directions: Vec<[Int; 3]>,
-    lengths: Vec<Int>,
 }
 
 impl Portal3 {
@@ -178,8 +177,8 @@ impl Portal3 {
                 }
             }
         }
-        let (directions, lengths) = edges.into_iter().map(primitive).unzip();
-        Ok(Portal3 { vertices: vertices.to_vec(), normal, offset, directions, lengths })
+        let directions = edges.into_iter().map(|edge| primitive(edge).0).collect();
+        Ok(Portal3 { vertices: vertices.to_vec(), normal, offset, directions })
     }
 
     /// The vertices, in grid units, in the order given.
@@ -209,7 +208,6 @@ impl Portal3 {
             normal: negated(&self.normal),
             offset: -&self.offset,
             directions: (0..count).map(|i| negated(&self.directions[old(i)])).collect(),
-            lengths: (0..count).map(|i| self.lengths[old(i)].clone()).collect(),
         }
     }
 
@@ -230,11 +228,6 @@ impl Portal3 {
     /// A positive multiple of the order row, on vectors of a frame.
     pub(super) fn order_row_in(&self, next: &Portal3, frame: &Frame) -> Option<[Int; 6]> {
         Some(frame.row(self.order_row(next, &frame.origin)?.0))
-    }
-
-    /// How many primitive directions the edge is long.
-    pub(super) fn edge_length(&self, edge: usize) -> &Int {
-        &self.lengths[edge]
     }
 
     /// The row that is positive on the lines that cross this portal's plane before the plane of

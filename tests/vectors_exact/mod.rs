@@ -87,7 +87,7 @@ fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
     let d = line[0].as_array().into_iter().chain(line[1].as_array()).flatten();
     let d = d.map(|c| number(&c["d"])).max().expect("coordinates");
     let ([p, q], [u, v]) = (parts("a"), parts("b"));
-    // (p + u√d) joined to (q + v√d): bilinear but for the directions, which the join of pairs gives.
+    // (p + u√d) joined to (q + v√d).
     let cross = |a: &[Q], b: &[Q]| {
         let joined = join(a, b);
         [joined[3].clone(), joined[4].clone(), joined[5].clone()]

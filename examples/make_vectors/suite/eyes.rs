@@ -1,7 +1,8 @@
 //! Eyes before a row of openings across the last axis.
 //!
-//! Rays are told by their slopes, so an opening is an interval of slopes on each axis, and a room is
-//! seen iff the intervals of all openings before it share an inner point; touched if they share any.
+//! Rays are told by their slopes, so an opening is an interval of slopes on each axis, and a room
+//! is seen iff the intervals of all openings before it share an inner point; touched if they share
+//! any.
 
 use super::book::Book;
 use super::number::{Point, Polygon, Q, power, q, ratio, tenth, value, values};
@@ -197,7 +198,7 @@ fn add(book: &mut Book, view: &View) {
 }
 
 fn look(view: &View, rooms: &[String]) -> Test {
-    let mut input = json!({ "at": values(&[view.eye.clone()])[0], "cell": rooms[0] });
+    let mut input = json!({ "at": values(std::slice::from_ref(&view.eye))[0], "cell": rooms[0] });
     if let (Some(tangents), Value::Object(fields)) = (&view.tangents, &mut input) {
         fields.insert("look".to_owned(), json!([0, 0, 1]));
         fields.insert("up".to_owned(), json!([0, 1, 0]));
@@ -205,7 +206,7 @@ fn look(view: &View, rooms: &[String]) -> Test {
     }
     let (mut seen, mut touched) = (vec![rooms[0].clone()], Vec::new());
     let (mut points, mut unseen) = (Map::new(), Map::new());
-    for count in 1..=view.openings.len() {
+    for (count, room) in rooms.iter().enumerate().skip(1) {
         let beam = view.beam(count);
         let depth = &view.openings[count - 1].1 - view.eye.last().expect("coordinates");
         if beam.iter().all(|[low, high]| low.0 < high.0) {
@@ -215,26 +216,23 @@ fn look(view: &View, rooms: &[String]) -> Test {
                 .map(|([low, high], eye)| eye + (&low.0 + &high.0) / q(2) * &depth);
             let mut point: Point = middle.collect();
             point.push(view.openings[count - 1].1.clone());
-            points.insert(rooms[count].clone(), values(&[point])[0].clone());
-            seen.push(rooms[count].clone());
+            points.insert(room.clone(), values(&[point])[0].clone());
+            seen.push(room.clone());
             continue;
         }
         if beam.iter().all(|[low, high]| low.0 <= high.0) {
-            touched.push(rooms[count].clone());
+            touched.push(room.clone());
         }
         let axis = beam.iter().position(|[low, high]| low.0 >= high.0).expect("one is empty");
         let end = |(slope, opening): &(Q, Option<usize>)| json!({ "opening": opening, "slope": value(slope) });
         let [low, high] = &beam[axis];
-        unseen.insert(
-            rooms[count].clone(),
-            json!({ "axis": axis, "low": end(low), "high": end(high) }),
-        );
+        unseen.insert(room.clone(), json!({ "axis": axis, "low": end(low), "high": end(high) }));
     }
     Test {
         input: Some(input),
         cells: Some(seen),
         grazing: touched,
-        witness: (!points.is_empty()).then(|| Value::Object(points)),
+        witness: (!points.is_empty()).then_some(Value::Object(points)),
         certificate: (!unseen.is_empty()).then(|| json!({ "unseen": unseen })),
         ..Test::default()
     }

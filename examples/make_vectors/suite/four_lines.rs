@@ -146,12 +146,11 @@ fn add(book: &mut Book, comment: &str, flags: &[&str], p: &[Q; 3], d: &[Q; 3]) {
 }
 
 /// Concurrent, coplanar, equal and parallel lines.
-fn special(book: &mut Book) {
-    book.group(Kind::Transversals, "Concurrent, coplanar, equal and parallel lines.");
+fn special_lines() -> Vec<(&'static str, Vec<Line>, LineCount)> {
     let line = |a: [i64; 3], b: [i64; 3]| [a.map(q).to_vec(), b.map(q).to_vec()];
     let [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| line([0, 0, 0], axis));
     let off = line([5, 1, 2], [7, 4, 3]);
-    let cases: Vec<(&str, Vec<Line>, LineCount)> = vec![
+    vec![
         (
             "The three axes, and a line that misses the origin: all lines from the origin to it.",
             vec![x.clone(), y.clone(), z.clone(), off.clone()],
@@ -208,8 +207,12 @@ fn special(book: &mut Book) {
             vec![x.clone(), y.clone(), line([0, 2, 0], [1, 2, 1]), line([0, 2, 0], [3, 3, 3])],
             Family,
         ),
-    ];
-    for (comment, lines, truth) in cases {
+    ]
+}
+
+fn special(book: &mut Book) {
+    book.group(Kind::Transversals, "Concurrent, coplanar, equal and parallel lines.");
+    for (comment, lines, truth) in special_lines() {
         of_lines(book, comment, &["SpecialLines"], &lines, truth);
         let by = [power(20), power(19), -power(20)];
         let far: Vec<Line> = lines

@@ -32,16 +32,6 @@ pub fn power(k: u32) -> Q {
     Q::from(Int::from(2).pow(k))
 }
 
-/// A point of whole numbers.
-pub fn point<const N: usize>(coordinates: [i64; N]) -> Point {
-    coordinates.map(q).to_vec()
-}
-
-/// Polygons of whole numbers.
-pub fn polygons<const N: usize>(polygons: &[&[[i64; N]]]) -> Vec<Polygon> {
-    polygons.iter().map(|polygon| polygon.iter().map(|&p| point(p)).collect()).collect()
-}
-
 /// The number in JSON: an integer below 2^53, or a string.
 pub fn value(number: &Q) -> Value {
     let small = i64::try_from(number.numer()).ok().filter(|n| n.unsigned_abs() < 1 << 53);

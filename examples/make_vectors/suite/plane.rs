@@ -99,8 +99,8 @@ fn slits() -> Family {
     Family::row("Slits in three walls, the middle one moved by about its width.", cases)
 }
 
-/// Posts A, B, C: the line passes right of A, left of B, right of C, and B is on the line AC but for
-/// one unit.
+/// Posts A, B, C: the line passes right of A, left of B, right of C, and B is on the line AC but
+/// for one unit.
 fn posts() -> Family {
     let directions: [(Q, Q, &[&'static str]); 9] = [
         (q(0), q(8), &["Posts"]),

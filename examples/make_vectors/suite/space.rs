@@ -90,8 +90,8 @@ fn half_walls() -> Family {
     Family::row("Half a wall between facing squares.", cases)
 }
 
-/// Integer normals m_i with Σ m_i = 0 and Σ i m_i = 0: then Σ m_i · P_i = 0 for the points P_i in which
-/// any line crosses the planes z = i.
+/// Integer normals m_i with Σ m_i = 0 and Σ i m_i = 0: then Σ m_i · P_i = 0 for the points P_i in
+/// which any line crosses the planes z = i.
 fn normals() -> Vec<Vec<[i64; 2]>> {
     let of = |m2: [i64; 2], m3: [i64; 2]| {
         let sum = |a: i64, b: i64| [a * m2[0] + b * m3[0], a * m2[1] + b * m3[1]];
@@ -244,7 +244,7 @@ fn needles() -> Family {
     let mut cases = Vec::new();
     for (length, width) in [(1000, 1), (1_000_000, 1), (64, 1), (1_000_000_000, 3)] {
         for critical in TRIPLE {
-            // A needle from (0, 0) along x; the window's right edge is at x = 1 unit beyond its tip.
+            // A needle from (0, 0) along x; the window's right edge is about its tip.
             let needle = vec![
                 vec![q(0), q(0), q(5)],
                 vec![q(length), q(-width), q(5)],
