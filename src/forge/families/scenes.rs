@@ -71,7 +71,10 @@ fn walls(random: &mut Random, settings: &Settings) -> Input {
                 0 => next = last.clone(),
                 // Beside it, edge to edge or with a part in common, or over it.
                 1 => next = last.iter().map(|&p| add(p, u)).collect(),
-                2 => next = last.iter().map(|&p| add(p, [0, random.between(0, 1), 1])).collect(),
+                2 => {
+                    let step = [0, random.between(0, 1), 1];
+                    next = last.iter().map(|&p| add(p, step)).collect();
+                }
                 3 => next = last.iter().map(|&p| add(p, v)).collect(),
                 // A wall that ends on it in a T.
                 4 => {
