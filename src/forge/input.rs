@@ -11,6 +11,7 @@ use crate::formats::lines::LinesFile;
 use crate::formats::sequence::SequenceFile;
 use crate::num::{Number, Rational};
 use crate::vectors::{Case, Kind};
+use num_traits::One;
 use serde_json::{Value, json};
 
 /// Two or three coordinates, in world units.
@@ -161,7 +162,7 @@ impl Input {
             Input::Scene(scene) if self.dimension() == 2 => {
                 let object =
                     |name, polygon| json!({"name": name, "polygon": polygon_json(polygon)});
-                json!({"about": "", "format": "stabline-scene/1",
+                json!({"about": "", "format": "stabline-scene/1", "view": self.view(),
                     "segments": polygons_json(&scene.polygons),
                     "objects": [object("from", &scene.from), object("to", &scene.to)]})
             }
@@ -171,11 +172,24 @@ impl Input {
                 let object = |name, corners| json!({"name": name, "box": polygon_json(&sorted_box(corners))});
                 let polygons: Vec<Value> = scene.polygons.iter().map(polygon).collect();
                 let brushes: Vec<Value> = scene.brushes.iter().map(brush).collect();
-                json!({"about": "", "format": "stabline-scene/1",
+                json!({"about": "", "format": "stabline-scene/1", "view": self.view(),
                     "polygons": polygons, "brushes": brushes,
                     "objects": [object("from", &scene.from), object("to", &scene.to)]})
             }
         }
+    }
+
+    /// The box around everything, and a unit more: without it a scene reaches a stated number of
+    /// units past what occludes, and a region beyond is seen from nowhere.
+    fn view(&self) -> Value {
+        let points = || self.polygons().into_iter().flatten();
+        let reach = |axis: usize| -> Option<[Rational; 2]> {
+            let low = points().map(|p| &p[axis]).min()? - Rational::one();
+            Some([low, points().map(|p| &p[axis]).max()? + Rational::one()])
+        };
+        let axes: Vec<[Rational; 2]> = (0..self.dimension()).filter_map(reach).collect();
+        let corner = |end: usize| axes.iter().map(|axis| axis[end].clone()).collect();
+        polygon_json(&vec![corner(0), corner(1)])
     }
 
     /// The case that asks about it.
