@@ -12,9 +12,9 @@ use std::process::{Command, Stdio};
 /// Shrink a case for as long as a command exits with 0
 ///
 /// The command gets each smaller case on its standard input, as one JSON object: fewer portals,
-/// cells, vertices, smaller numbers. What is left is written as a test vector (`stabline-vectors/1`)
-/// with our answer and its evidence, or, for scenes and grazing cells of graphs, as the case.
-/// Interrupted, it writes the smallest case so far.
+/// cells, vertices, smaller numbers. What is left is written as a test vector
+/// (`stabline-vectors/1`) with our answer and its evidence, or, for scenes and grazing cells of
+/// graphs, as the case. Interrupted, it writes the smallest case so far.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The case, one JSON object, or `-` for standard input

@@ -5,9 +5,9 @@
 //! so the one line through P that meets m and n has coordinates that are quadratic in (s, t), and
 //! it meets the fourth line where a quadratic form f vanishes. Take for `l` a line that does not
 //! itself meet all others: then different P have different lines, f = 0 everywhere means infinitely
-//! many, and else each root has one line or, where the planes of P with the others are all the same,
-//! a pencil. If all lines meet each other they are concurrent or coplanar. No Plücker space, no
-//! null spaces, no quadric.
+//! many, and else each root has one line or, where the planes of P with the others are all the
+//! same, a pencil. If all lines meet each other they are concurrent or coplanar. No Plücker space,
+//! no null spaces, no quadric.
 
 use crate::num::{Int, Rational, Sign};
 use num_integer::Integer;

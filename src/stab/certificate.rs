@@ -40,8 +40,8 @@ pub enum Certificate {
 /// units about the grid's origin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum QuadricProof {
-    /// `Σ weight · factor(x) · factor(x) = multiple · Q(x)` for all x of R^6; at least one product is
-    /// of two conditions. The numbers have no common factor.
+    /// `Σ weight · factor(x) · factor(x) = multiple · Q(x)` for all x of R^6; at least one product
+    /// is of two conditions. The numbers have no common factor.
     Identity {
         /// Not zero.
         multiple: Int,

@@ -107,8 +107,8 @@ impl Frame {
     /// The form side(·, vector) on vectors of this frame, divided by its content; and the content.
     /// The vector is in grid units about the grid's origin, and not zero.
     ///
-    /// For x of this frame and y the same vector in grid units, side(y, vector) is the content times
-    /// form · x, and Q(y) is the unit times Q(x).
+    /// For x of this frame and y the same vector in grid units, side(y, vector) is the content
+    /// times form · x, and Q(y) is the unit times Q(x).
     pub(super) fn form(&self, vector: &[Int; 6]) -> ([Int; 6], Int) {
         let [dx, dy, dz, mx, my, mz] = vector;
         let direction = [dx, dy, dz].map(Clone::clone);

@@ -112,7 +112,8 @@ fn blocks(random: &mut Random, settings: &Settings) -> Input {
         if let Some(&[low, high]) = boxes.last() {
             let mut step = [0; 3];
             let axes = random.between(1, 3);
-            // Moved by its own size along one axis, two, or all: a face, an edge or a corner shared.
+            // Moved by its own size along one axis, two, or all: a face, an edge or a corner
+            // shared.
             for axis in 0..axes as usize {
                 let axis = (axis + random.between(0, 2) as usize) % 3;
                 step[axis] = one_of(random, &[-1, 1]) * (high[axis] - low[axis]);

@@ -13,7 +13,8 @@ use serde::Serialize;
 pub(super) enum CertificateReport {
     /// The weighted sum of the conditions' vectors is zero.
     Gordan { terms: Vec<TermReport> },
-    /// Products of the conditions' sides add up to a multiple of the Klein form, if need be in parts.
+    /// Products of the conditions' sides add up to a multiple of the Klein form, if need be in
+    /// parts.
     Quadric {
         /// All vectors are those of the coordinates times this.
         denominator: Integer,

@@ -1,7 +1,7 @@
 //! A multiple of the Klein form as a combination of products of a part's facets.
 //!
-//! With weights c >= 0 and the sign s of the form Q on the part, `s Q = Σ c_ij a_i a_j` is a system of
-//! 21 equations. Products of other rows are combinations of products of facets, so facets are
+//! With weights c >= 0 and the sign s of the form Q on the part, `s Q = Σ c_ij a_i a_j` is a system
+//! of 21 equations. Products of other rows are combinations of products of facets, so facets are
 //! enough. The bilinear forms of both sides agree on any two rays r, t of the part, where each a_i
 //! is not negative:
 //! 1. where `s side(r, t) < 0` for some two rays, there is no combination;

@@ -84,8 +84,8 @@ pub(super) fn solve(columns: &[Vec<Int>], right: &[Int]) -> Option<Solution> {
     consistent.then(|| tableau.solution(pivots.iter().copied().enumerate()))
 }
 
-/// A basic solution of `Σ x_k columns[k] = right` with `x >= 0`, where there is one: the first phase
-/// of the simplex method with Bland's rule (1977), which cannot cycle.
+/// A basic solution of `Σ x_k columns[k] = right` with `x >= 0`, where there is one: the first
+/// phase of the simplex method with Bland's rule (1977), which cannot cycle.
 pub(super) fn solve_nonnegative(columns: &[Vec<Int>], right: &[Int]) -> Option<Solution> {
     let mut tableau = Tableau::new(columns, right);
     for row in &mut tableau.rows {

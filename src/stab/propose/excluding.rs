@@ -13,8 +13,8 @@ use num_traits::ToPrimitive;
 /// A column that is shorter than this beside the others is taken for their combination.
 const NOTHING: f64 = 1e-12;
 
-/// At most seven conditions that seem to have no common inside; `None` if the sequence seems to have
-/// one. `order` gives the vector of a portal's order, if there is one.
+/// At most seven conditions that seem to have no common inside; `None` if the sequence seems to
+/// have one. `order` gives the vector of a portal's order, if there is one.
 pub(in crate::stab) fn excluding(
     portals: &[&Portal3],
     order: &impl Fn(usize) -> Option<Vector>,

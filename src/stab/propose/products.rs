@@ -1,8 +1,8 @@
 //! Products of linear forms that seem to sum to a quadratic one: the first phase of the simplex
 //! method, in floats.
 //!
-//! A quadratic form is given by its bilinear form's values on pairs of six independent vectors. In a
-//! cone whose rays these are, the values of the cone's own forms and of their products are not
+//! A quadratic form is given by its bilinear form's values on pairs of six independent vectors. In
+//! a cone whose rays these are, the values of the cone's own forms and of their products are not
 //! negative, and none of them comes from a difference: however thin the cone, floats hold them to
 //! full relative precision.
 
