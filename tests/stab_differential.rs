@@ -14,7 +14,7 @@ use stabline::stab::{
 use support::certificate;
 
 fn count() -> u64 {
-    std::env::var("STABLINE_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(150)
+    std::env::var("STABLINE_SEQUENCES").ok().and_then(|n| n.parse().ok()).unwrap_or(200)
 }
 
 fn validated(portals: &[Vec<BigPoint3>]) -> Vec<Portal3> {

@@ -112,7 +112,7 @@ pub enum Condition {
 /// `orders[i]` asks that portal `i` be crossed after portal `i - 1`; missing entries ask nothing.
 /// Numbers are short inside where `unit` is as many grid units as the vertices are multiples of.
 ///
-/// Terminates for every sequence that is not open, and may run forever on an open one.
+/// Requires: the sequence is not open.
 pub fn certificate(portals: &[&Portal3], orders: &[bool], unit: &Int) -> Certificate {
     if let Some(terms) = gordan::proposed(portals, orders) {
         return Certificate::Gordan(terms);

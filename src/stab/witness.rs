@@ -311,7 +311,7 @@ pub(super) fn plus(x: &Vector, y: &Vector) -> Vector {
     std::array::from_fn(|i| &x[i] + &y[i])
 }
 
-fn bits(x: &Vector) -> u64 {
+pub(super) fn bits(x: &Vector) -> u64 {
     x.iter().map(|c| c.bits()).max().unwrap_or(0)
 }
 

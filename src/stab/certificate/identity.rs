@@ -16,26 +16,41 @@ use crate::stab::propose::{Pairs, basic_products};
 use crate::stab::quadric::Vector;
 use num_traits::{Signed, Zero};
 
-/// The identity that refutes the part, where one is found.
+/// The identity that refutes the part, where floats see that there is one.
 pub(super) fn identity(part: &Part, shape: &Shape<'_>) -> Option<QuadricProof> {
-    if shape.sides.iter().flatten().any(Int::is_negative) {
+    if is_hopeless(shape) {
         return None;
     }
     let allowed = allowed_products(shape);
-    let pairs = Pairs::new(&shape.values, &shape.sides);
-    let basis = basic_products(&pairs, &allowed)?;
+    let basis = basic_products(&Pairs::new(&shape.values, &shape.sides), &allowed)?;
     let chosen: Vec<[usize; 2]> = basis.into_iter().map(|at| allowed[at]).collect();
-    let right = klein_form(shape.sign);
-    let column = |&[i, j]: &[usize; 2]| product(&shape.facets[i].form, &shape.facets[j].form);
-    let system = |pairs: &[[usize; 2]]| pairs.iter().map(column).collect::<Vec<_>>();
-    let solution = solve(&system(&chosen), &right)
-        .filter(|solution| solution.values.iter().all(|(_, weight)| weight.is_positive()));
-    let (solution, pairs) = match solution {
-        Some(solution) => (solution, chosen),
+    let solution = solve(&system(shape, &chosen), &klein_form(shape.sign));
+    match solution.filter(|s| s.values.iter().all(|(_, weight)| weight.is_positive())) {
+        Some(solution) => named(part, shape, &solution, &chosen),
         // The case is critical, and floats did not see which products it needs.
-        None => (solve_nonnegative(&system(&allowed), &right)?, allowed),
-    };
-    named(part, shape, &solution, &pairs)
+        None => exact_identity(part, shape),
+    }
+}
+
+/// The identity that refutes the part, where there is one.
+pub(super) fn exact_identity(part: &Part, shape: &Shape<'_>) -> Option<QuadricProof> {
+    if is_hopeless(shape) {
+        return None;
+    }
+    let allowed = allowed_products(shape);
+    let solution = solve_nonnegative(&system(shape, &allowed), &klein_form(shape.sign))?;
+    named(part, shape, &solution, &allowed)
+}
+
+/// Whether two rays have a side product of the sign that the form lacks on the part.
+fn is_hopeless(shape: &Shape<'_>) -> bool {
+    shape.sides.iter().flatten().any(Int::is_negative)
+}
+
+/// The coefficients of the products, each a column.
+fn system(shape: &Shape<'_>, pairs: &[[usize; 2]]) -> Vec<Vec<Int>> {
+    let column = |&[i, j]: &[usize; 2]| product(&shape.facets[i].form, &shape.facets[j].form);
+    pairs.iter().map(column).collect()
 }
 
 /// The pairs of facets whose products may have weights.
