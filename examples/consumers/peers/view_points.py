@@ -204,6 +204,8 @@ def answer(case, sees):
     if question is None:
         return {"skip": REFUSED}
     seen = sees(question)
+    if seen is None:
+        return {"skip": "refused by the library"}
     if case["kind"] == "eye":
         cells = case["input"]["scene"]["cells"]
         return {"cells": cells[:1] + [cell for cell, yes in zip(cells[1:], seen) if yes]}
@@ -211,21 +213,23 @@ def answer(case, sees):
 
 
 def serve(sees):
-    """Answers a case a line; `sees` is asked for each target of a question whether it is seen."""
+    """Answers a case a line; `sees(question)` tells for each target whether it is seen, or None."""
     for line in sys.stdin:
         print(json.dumps(answer(json.loads(line), sees)), flush=True)
 
 
-def serve_segments(clear):
-    """As `serve`; `clear(walls)` makes the test whether a segment p q crosses no wall, in floats."""
-    floats = lambda p: tuple(float(c) for c in p)
+def serve_segments(clear, rounded=float):
+    """As `serve`; `clear(walls)` makes the test whether a segment p q meets no wall."""
+
+    def place(p):
+        return tuple(rounded(c) for c in p)
 
     def sees(question):
-        free = clear([[floats(end) for end in wall] for wall in question.walls])
+        free = clear([[place(end) for end in wall] for wall in question.walls])
         seen = [False] * len(question.targets)
         for point in question.points:
             for number, ends in enumerate(looks(question, point)):
-                seen[number] = seen[number] or any(free(floats(point), floats(q)) for q in ends)
+                seen[number] = seen[number] or any(free(place(point), place(q)) for q in ends)
             if all(seen):
                 break
         return seen
