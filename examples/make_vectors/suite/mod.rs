@@ -7,6 +7,7 @@ mod book;
 mod eyes;
 mod family;
 mod four_lines;
+mod line_proof;
 mod notes;
 mod number;
 mod pairs;
