@@ -185,3 +185,37 @@ fn the_engine_scores_full_marks_through_the_runner() {
     run(&["--stream"], &["--stream"]);
     run(&["--flag=AtInfinity"], &[]);
 }
+
+/// The runner's score of a program that says the same of every case of a file.
+fn score_of(said: &str, file: &str) -> Value {
+    let program = format!("while read -r case; do echo '{said}'; done");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stabline"));
+    command.args(["vectors", "run", "--json", "--stream", "--file"]).arg(path(file));
+    let output = command.args(["--", "sh", "-c", &program]).output().expect("it runs");
+    serde_json::from_slice(&output.stdout).expect("a score")
+}
+
+#[test]
+fn a_line_that_is_shown_has_to_be_inside() {
+    // The engine shows one for each open sequence.
+    let stabline = env!("CARGO_BIN_EXE_stabline");
+    let mut command = Command::new(stabline);
+    command.args(["vectors", "run", "--json", "--stream", "--kind=sequence", "--flag=OneUnit"]);
+    command.args(
+        ["sequences_2d", "sequences_3d"].map(|file| format!("--file={}", path(file).display())),
+    );
+    let output = command.args(["--", stabline, "vectors", "answer", "--stream"]).output();
+    let score: Value = serde_json::from_slice(&output.expect("it runs").stdout).expect("a score");
+    assert_eq!(score["all"]["cases"], score["all"]["exact"], "{score}");
+
+    let open = score_of(r#"{"class": "open"}"#, "sequences_2d");
+    assert_eq!(open["all"].get("wrong-witness"), None);
+    let line = r#"{"class": "open", "witness": [["1/2", -9], ["1/2", 9]]}"#;
+    let shown = score_of(line, "sequences_2d");
+    let count = |score: &Value, mark: &str| score["all"][mark].as_u64().unwrap_or(0);
+    assert!(count(&shown, "wrong-witness") > 100 && count(&shown, "exact") > 10, "{shown}");
+    assert_eq!(count(&shown, "waste") + count(&shown, "allowed"), 0, "{shown}");
+    // In a graph only a line with its portals is looked at.
+    let line = r#"{"class": "open", "witness": [["1/2", -9], ["1/2", 9]], "portals": [0]}"#;
+    assert!(count(&score_of(line, "graphs_2d"), "wrong-witness") > 100);
+}

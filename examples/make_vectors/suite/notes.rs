@@ -181,7 +181,7 @@ const NOTES: &[[&str; 3]] = &[
         "Two solids have an edge in common, and no gap.",
         "A tree builder that drops short or thin windings leaks through the common edge.",
     ],
-    ["CornerTouch", "Solids have a corner in common.", "Rounded corners leave a hole, or none."],
+    ["CornerTouch", "Solids have a corner in common.", "The corner point is seen through, or the cells around it overlap."],
     [
         "EdgeOnFace",
         "The edge of a solid lies on another's face.",
