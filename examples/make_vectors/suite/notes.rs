@@ -124,8 +124,8 @@ const NOTES: &[[&str; 3]] = &[
         "Quadric",
         "The half-spaces of the edges leave room and the lines do not: no weighted sum of sides \
          refutes the sequence, products of sides do; or a neighbour of such a case.",
-        "Classic vis clips by planes through an edge and a vertex. No such plane shuts these, so \
-         it may call them visible: waste.",
+        "Classic vis clips by planes through an edge and a vertex, which shuts some of these part \
+         by part and leaves others visible: waste.",
     ],
     [
         "ManyVertices",
@@ -181,7 +181,11 @@ const NOTES: &[[&str; 3]] = &[
         "Two solids have an edge in common, and no gap.",
         "A tree builder that drops short or thin windings leaks through the common edge.",
     ],
-    ["CornerTouch", "Solids have a corner in common.", "The corner point is seen through, or the cells around it overlap."],
+    [
+        "CornerTouch",
+        "Solids have a corner in common.",
+        "The corner point is seen through, or the cells around it overlap.",
+    ],
     [
         "EdgeOnFace",
         "The edge of a solid lies on another's face.",

@@ -1,6 +1,6 @@
 //! Sequences that no weighted sum of sides refutes, found by a search: the half-spaces of their
-//! edges leave room, and only the Klein form, by products of two sides, leaves none. So no plane,
-//! and no hyperplane of Plücker space, shows that no line passes.
+//! edges leave room, and only the Klein form, by products of two sides, leaves none. So no
+//! hyperplane of Plücker space shows that no line passes.
 //!
 //! What is found is made small: coordinates go towards zero as long as the sequence stays what it
 //! is. Its neighbours one unit away are those that differ in one coordinate of one vertex.
