@@ -4,7 +4,7 @@
 //! input. As a stream one process gets one line a case and prints one line an answer; after a
 //! crash or a hang the next case starts another.
 
-use crate::vectors::{Answer, Case, Mishap};
+use crate::vectors::{Answer, Case, Mishap, Witness};
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
@@ -109,11 +109,26 @@ impl Session<'_> {
     /// # Errors
     /// [`Mishap`] where it does not.
     pub(super) fn ask(&mut self, case: &Case) -> Result<Answer, Mishap> {
+        self.ask_for_witness(case).map(|(answer, _)| answer)
+    }
+
+    /// What the program answers, with the line that it shows for it, if it does.
+    ///
+    /// # Errors
+    /// [`Mishap`] where it does not answer.
+    pub(super) fn ask_for_witness(
+        &mut self,
+        case: &Case,
+    ) -> Result<(Answer, Option<Witness>), Mishap> {
         let text = match self.program.stream {
             true => self.next_line(case)?,
             false => self.program.whole_output(case)?,
         };
-        Answer::read(case.kind, &text).map_err(|error| {
+        let read = Answer::read(case.kind, &text).and_then(|answer| {
+            let witness = Witness::read(case.kind, &answer, &text)?;
+            Ok((answer, witness))
+        });
+        read.map_err(|error| {
             let shown: String = text.trim().chars().take(80).collect();
             Mishap::Unreadable(format!("{error}: {shown:?}"))
         })

@@ -79,8 +79,8 @@ pub enum AnswerError {
 }
 
 impl Answer {
-    /// Reads an answer to a case of this kind. Fields that nobody asked for, such as a witness of
-    /// the program's own, are left alone.
+    /// Reads an answer to a case of this kind. Other fields are left alone; [`super::Witness`] is
+    /// one.
     ///
     /// # Errors
     /// [`AnswerError`] names the rule broken.

@@ -6,7 +6,8 @@ mod view_cells;
 
 pub use view_cells::{ViewCells, ViewCells2};
 
-use super::{Answer, Case, Class, Kind, LineCount};
+use super::witness::on_grid;
+use super::{Answer, Case, Class, Kind, LineCount, Witness};
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::{SequenceFile, SequencePoints};
 use crate::scene::InputError;
@@ -57,14 +58,27 @@ const NAME: &str = "input";
 /// # Errors
 /// [`EngineError`] for an input that is refused, and for a name that it does not have.
 pub fn answer(case: &Case) -> Result<Answer, EngineError> {
+    answer_with_witness(case).map(|(answer, _)| answer)
+}
+
+/// The exact answer to a case; with the line of an open sequence.
+///
+/// Complexity: as [`answer`].
+///
+/// # Errors
+/// As [`answer`].
+pub fn answer_with_witness(case: &Case) -> Result<(Answer, Option<Witness>), EngineError> {
     let bytes = || case.input.to_string().into_bytes();
-    match case.kind {
-        Kind::Sequence => sequence(&bytes()).map(Answer::Class),
+    let answer = match case.kind {
+        Kind::Sequence => {
+            return sequence(&bytes()).map(|(class, line)| (Answer::Class(class), line));
+        }
         Kind::Transversals => lines(&bytes()).map(Answer::Lines),
         Kind::Graph => pairs::of_graph(&case.input, ends(case)?).map(Answer::Class),
         Kind::Scene => pairs::of_scene(&case.input, ends(case)?).map(Answer::Class),
         Kind::Eye => eye::seen(&case.input).map(Answer::of_cells),
-    }
+    };
+    answer.map(|answer| (answer, None))
 }
 
 /// The names in `from` and `to`.
@@ -84,21 +98,23 @@ fn index_of<'a>(
     index.ok_or_else(|| EngineError::Unknown { field, name: name.to_owned() })
 }
 
-fn sequence(bytes: &[u8]) -> Result<Class, EngineError> {
+fn sequence(bytes: &[u8]) -> Result<(Class, Option<Witness>), EngineError> {
     let points = SequenceFile::read(bytes).and_then(|file| file.points());
     match points.map_err(EngineError::input)? {
-        SequencePoints::Space { portals, .. } => {
+        SequencePoints::Space { denominator, portals } => {
             let mut stabber = Stabber::new();
             for vertices in &portals {
                 stabber.push(&Portal3::new(vertices).map_err(EngineError::input)?, false);
             }
             Ok(match stabber.verdict() {
-                Verdict::Open { .. } => Class::Open,
-                Verdict::Grazing { .. } => Class::Grazing,
-                Verdict::Blocked { .. } => Class::Blocked,
+                Verdict::Open { witness } => {
+                    (Class::Open, Some(on_grid(&witness.points, &denominator)))
+                }
+                Verdict::Grazing { .. } => (Class::Grazing, None),
+                Verdict::Blocked { .. } => (Class::Blocked, None),
             })
         }
-        SequencePoints::Plane { portals, .. } => {
+        SequencePoints::Plane { denominator, portals } => {
             let mut hourglass = Hourglass::new();
             for [left, right] in portals {
                 if left == right {
@@ -107,9 +123,11 @@ fn sequence(bytes: &[u8]) -> Result<Class, EngineError> {
                 hourglass.push_big(left, right);
             }
             Ok(match hourglass.verdict() {
-                PlaneVerdict::Open(_) => Class::Open,
-                PlaneVerdict::Grazing { .. } => Class::Grazing,
-                PlaneVerdict::Blocked { .. } => Class::Blocked,
+                PlaneVerdict::Open(witness) => {
+                    (Class::Open, Some(on_grid(&witness.points, &denominator)))
+                }
+                PlaneVerdict::Grazing { .. } => (Class::Grazing, None),
+                PlaneVerdict::Blocked { .. } => (Class::Blocked, None),
             })
         }
     }

@@ -12,9 +12,11 @@ mod case;
 mod engine;
 mod file;
 mod score;
+mod witness;
 
 pub use answer::{Answer, AnswerError, Class, LineCount};
 pub use case::{Case, Kind};
-pub use engine::{EngineError, ViewCells, ViewCells2, answer};
+pub use engine::{EngineError, ViewCells, ViewCells2, answer, answer_with_witness};
 pub use file::{Expected, Group, Note, SceneOfGroup, Test, VectorsError, VectorsFile};
 pub use score::{Failing, Mark, Marks, Mishap, Policy, ScoreReport, ScoredFile, Tally, judge};
+pub use witness::Witness;

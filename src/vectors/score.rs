@@ -44,6 +44,9 @@ pub enum Mark {
     Hole,
     /// Another number of lines.
     Wrong,
+    /// The line shown for an `open` is not inside every portal.
+    #[serde(rename = "wrong-witness")]
+    WrongWitness,
     /// The program broke down.
     Crash,
     /// The program did not end in time.
@@ -56,12 +59,13 @@ pub enum Mark {
 
 impl Mark {
     /// Every mark, the best first.
-    pub const ALL: [Mark; 9] = [
+    pub const ALL: [Mark; 10] = [
         Mark::Exact,
         Mark::Allowed,
         Mark::Waste,
         Mark::Hole,
         Mark::Wrong,
+        Mark::WrongWitness,
         Mark::Crash,
         Mark::Hang,
         Mark::Unreadable,
@@ -76,6 +80,7 @@ impl Mark {
             Mark::Waste => "waste",
             Mark::Hole => "hole",
             Mark::Wrong => "wrong",
+            Mark::WrongWitness => "wrong-witness",
             Mark::Crash => "crash",
             Mark::Hang => "hang",
             Mark::Unreadable => "unreadable",
@@ -87,7 +92,8 @@ impl Mark {
     pub fn fails(self) -> bool {
         match self {
             Mark::Exact | Mark::Allowed | Mark::Waste | Mark::Skipped => false,
-            Mark::Hole | Mark::Wrong | Mark::Crash | Mark::Hang | Mark::Unreadable => true,
+            Mark::Hole | Mark::Wrong | Mark::WrongWitness => true,
+            Mark::Crash | Mark::Hang | Mark::Unreadable => true,
         }
     }
 }

@@ -1,5 +1,10 @@
 //! Checks what stands beside an answer, by rationals and the format's pages alone.
 
+mod lines;
+mod refutation;
+mod scene;
+
+use refutation::check_reason;
 use serde_json::Value;
 use stabline::num::{Int, Rational};
 use stabline::vectors::{Class, Group, Kind, Test};
@@ -76,32 +81,41 @@ fn ensure(holds: bool, what: &str) -> Result<(), String> {
     holds.then_some(()).ok_or_else(|| what.to_owned())
 }
 
+/// The rational part of each coordinate, and its factor of the root.
+fn surd_point(point: &Value) -> [Point; 2] {
+    let of = |name: &str| {
+        point.as_array().expect("a point").iter().map(|c| number(&c[name])).collect::<Point>()
+    };
+    [of("a"), of("b")]
+}
+
+/// The d of all numbers a + b√d in some points.
+fn root_of(points: &Value) -> Q {
+    let numbers = points.as_array().expect("points").iter().flat_map(|p| p.as_array().unwrap());
+    numbers.map(|number_of| number(&number_of["d"])).max().expect("coordinates")
+}
+
+/// (p + u√d) joined to (q + v√d): the part without the root, and that with it.
+fn surd_join([p, u]: [&[Q]; 2], [q, v]: [&[Q]; 2], d: &Q) -> [Vector; 2] {
+    let (pq, uv, pv, uq) = (join(p, q), join(u, v), join(p, v), join(u, q));
+    let zeros: Point = p.iter().map(|_| zero()).collect();
+    let of_roots = join(&zeros, &vec_difference(v, u));
+    let plain = std::array::from_fn(|i| match i {
+        0..3 => pq[i].clone(),
+        _ => &pq[i] + &uv[i] * d,
+    });
+    let root = std::array::from_fn(|i| match i {
+        0..3 => of_roots[i].clone(),
+        _ => &pv[i] + &uq[i],
+    });
+    [plain, root]
+}
+
 /// Meets every closed portal: by weak sides, or within its plane.
 fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
-    let parts = |name: &str| {
-        [0, 1].map(|end| {
-            let coordinates = line[end].as_array().expect("a point");
-            coordinates.iter().map(|c| number(&c[name])).collect::<Point>()
-        })
-    };
-    let d = line[0].as_array().into_iter().chain(line[1].as_array()).flatten();
-    let d = d.map(|c| number(&c["d"])).max().expect("coordinates");
-    let ([p, q], [u, v]) = (parts("a"), parts("b"));
-    // (p + u√d) joined to (q + v√d).
-    let cross = |a: &[Q], b: &[Q]| {
-        let joined = join(a, b);
-        [joined[3].clone(), joined[4].clone(), joined[5].clone()]
-    };
-    let (pq, uv, pv, uq) = (cross(&p, &q), cross(&u, &v), cross(&p, &v), cross(&u, &q));
-    let at = |v: &[Q], i: usize| v.get(i).cloned().unwrap_or_else(zero);
-    let plain: Vector = std::array::from_fn(|i| match i {
-        0..3 => at(&q, i) - at(&p, i),
-        _ => &pq[i - 3] + &uv[i - 3] * &d,
-    });
-    let root: Vector = std::array::from_fn(|i| match i {
-        0..3 => at(&v, i) - at(&u, i),
-        _ => &pv[i - 3] + &uq[i - 3],
-    });
+    let ([p, u], [q, v]) = (surd_point(&line[0]), surd_point(&line[1]));
+    let d = root_of(line);
+    let [plain, root] = surd_join([&p, &u], [&q, &v], &d);
     let is_line = plain[..3].iter().chain(&root[..3]).any(|c| *c != zero());
     ensure(is_line, "the touching line has no direction")?;
     for portal in portals {
@@ -119,7 +133,7 @@ fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
             join(&vec_difference(&portal[1], &portal[0]), &vec_difference(&portal[2], &portal[0]));
         let normal = [n[3].clone(), n[4].clone(), n[5].clone()];
         let end = |a: &[Q], v: &[Q], root: bool| -> Point {
-            (0..3).map(|i| if root { at(a, i) } else { at(a, i) - at(v, i) }).collect()
+            (0..3).map(|i| if root { a[i].clone() } else { &a[i] - &v[i] }).collect()
         };
         let places: Vec<i32> = portal
             .iter()
@@ -128,8 +142,8 @@ fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
                 let (from, from_root) = (end(&p, vertex, false), end(&u, vertex, true));
                 let (d0, d1) = (&plain[..3], &root[..3]);
                 let det = |a: &[Q], b: &[Q]| -> Q {
-                    let c = cross(a, b);
-                    (0..3).map(|i| &normal[i] * &c[i]).sum()
+                    let joined = join(a, b);
+                    (0..3).map(|i| &normal[i] * &joined[i + 3]).sum()
                 };
                 let whole = det(d0, &from) + det(d1, &from_root) * &d;
                 sign(&[whole, det(d0, &from_root) + det(d1, &from)], &d)
@@ -143,113 +157,6 @@ fn check_touching(portals: &[Vec<Point>], line: &Value) -> Result<(), String> {
 
 fn vec_difference(a: &[Q], b: &[Q]) -> Point {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
-}
-
-/// The vectors of a portal's edges as proofs scale them: by the vertices' denominators.
-fn scaled_edges(portal: &[Point]) -> Vec<Vector> {
-    let denominator = |p: &Point| {
-        let lcm =
-            p.iter().fold(Int::from(1), |common, c| num_integer::lcm(common, c.denom().clone()));
-        Q::from(lcm)
-    };
-    let count = portal.len();
-    let scale = |i: usize| denominator(&portal[i]) * denominator(&portal[(i + 1) % count]);
-    edges(portal).into_iter().enumerate().map(|(i, edge)| edge.map(|c| c * scale(i))).collect()
-}
-
-fn check_reason(portals: &[Vec<Point>], reason: &Value) -> Result<(), String> {
-    if let Some(text) = reason["refutation"].as_str() {
-        let sides = portals.iter().map(|portal| scaled_edges(portal)).collect();
-        let mut refutation = Refutation { sides, splits: Vec::new(), words: text.split(' ') };
-        refutation.check()?;
-        return ensure(refutation.words.next().is_none(), "more than a refutation");
-    }
-    // In the plane: weighted ends, right ones counted negative, sum to zero with their weights.
-    let mut sum = [zero(), zero(), zero()];
-    let terms = reason["terms"].as_array().ok_or("neither a refutation nor terms")?;
-    for term in terms {
-        let portal = &portals[term["portal"].as_u64().ok_or("no portal")? as usize];
-        let (end, turn) = if term["end"] == "left" { (&portal[0], 1) } else { (&portal[1], -1) };
-        let weight = number(&term["weight"]);
-        ensure(weight > zero(), "a weight is not positive")?;
-        let weight = weight * Q::from(Int::from(turn));
-        sum[0] += &weight * &end[0];
-        sum[1] += &weight * &end[1];
-        sum[2] += weight;
-    }
-    ensure(!terms.is_empty() && sum.iter().all(|c| *c == zero()), "the weighted sum is not zero")
-}
-
-/// A refutation of `docs/formats/proof.md`.
-struct Refutation<'a> {
-    sides: Vec<Vec<Vector>>,
-    splits: Vec<Vector>,
-    words: std::str::Split<'a, char>,
-}
-
-impl Refutation<'_> {
-    fn word(&mut self) -> Result<&str, String> {
-        self.words.next().ok_or_else(|| "the refutation ends early".to_owned())
-    }
-
-    fn integer(&mut self) -> Result<Q, String> {
-        let parsed = self.word()?.parse::<Int>();
-        parsed.map(Q::from).map_err(|error| error.to_string())
-    }
-
-    fn factor(&mut self) -> Result<(Vector, bool), String> {
-        let word = self.word()?.to_owned();
-        let number = |text: &str| text.parse::<usize>().map_err(|error| error.to_string());
-        if let Some(split) = word.strip_prefix('h') {
-            let plane = self.splits.get(number(split)?).ok_or("no such split")?;
-            return Ok((plane.clone(), false));
-        }
-        let (portal, edge) = word.split_once('.').ok_or("no factor")?;
-        let edges = self.sides.get(number(portal)?).ok_or("no such portal")?;
-        Ok((edges.get(number(edge)?).ok_or("no such edge")?.clone(), true))
-    }
-
-    fn check(&mut self) -> Result<(), String> {
-        let kind = self.word()?.to_owned();
-        if kind == "s" {
-            let mut plane: Vector = std::array::from_fn(|_| zero());
-            for c in &mut plane {
-                *c = self.integer()?;
-            }
-            for half in [plane.clone(), plane.map(|c| -c)] {
-                self.splits.push(half);
-                self.check()?;
-                self.splits.pop();
-            }
-            return Ok(());
-        }
-        let multiple = if kind == "i" { self.integer()? } else { zero() };
-        let count = self.integer()?;
-        let mut sum: [Vector; 6] = std::array::from_fn(|_| std::array::from_fn(|_| zero()));
-        let mut line: Vector = std::array::from_fn(|_| zero());
-        let (mut is_strict, mut done) = (false, zero());
-        while done < count {
-            done += Q::from(Int::from(1));
-            let (f, f_strict) = self.factor()?;
-            if kind == "l" {
-                let weight = self.integer()?;
-                ensure(weight > zero(), "a weight is not positive")?;
-                line.iter_mut().zip(&f).for_each(|(sum, c)| *sum += &weight * c);
-                is_strict |= f_strict;
-                continue;
-            }
-            let (g, g_strict) = self.factor()?;
-            let weight = self.integer()?;
-            ensure(weight > zero(), "a weight is not positive")?;
-            is_strict |= f_strict && g_strict;
-            for (a, b) in (0..36).map(|at| (at / 6, at % 6)) {
-                sum[a.min(b)][a.max(b)] += &weight * &f[(a + 3) % 6] * &g[(b + 3) % 6];
-            }
-        }
-        (0..3).for_each(|i| sum[i][i + 3] -= &multiple);
-        ensure(is_strict && (kind == "l") == (multiple == zero()), "nothing strict takes part")?;
-        ensure(sum.iter().flatten().chain(&line).all(|c| *c == zero()), "the sum is another")
-    }
 }
 
 /// The portals of a graph in a sequence of cells from `from`, each turned the way it is crossed.
@@ -336,44 +243,46 @@ fn strings(point: &[Q]) -> Vec<String> {
     point.iter().map(ToString::to_string).collect()
 }
 
+/// Checks the line of a sequence that has one.
+fn check_line(portals: &[Vec<Point>], test: &Test) -> Result<(), String> {
+    match (test.class, &test.witness, &test.touching_line) {
+        (Some(Class::Open), Some(line), None) => check_witness(portals, line),
+        (Some(Class::Grazing), None, Some(line)) => check_touching(portals, line),
+        (Some(Class::Blocked), None, None) => Ok(()),
+        _ => Err("another proof than that of its class".to_owned()),
+    }
+}
+
+fn check_graph(scene: &Value, test: &Test) -> Result<(), String> {
+    let from = test.from.as_deref().ok_or("no `from`")?;
+    let portals = match test.class {
+        Some(Class::Blocked) => Vec::new(),
+        _ => along(scene, &serde_json::json!(test.portals), from)?,
+    };
+    check_line(&portals, test)?;
+    let Some(reason) = &test.certificate else { return Ok(()) };
+    let to = test.to.as_deref().ok_or("no `to`")?;
+    let told = reason["sequences"].as_array().ok_or("no sequences")?;
+    for way in simple(scene, from, to, &mut vec![], &mut vec![]) {
+        let way = serde_json::json!(way);
+        let why = told.iter().find(|told| told["portals"] == way).ok_or("a way is left out")?;
+        check_reason(&along(scene, &way, from)?, &why["reason"])?;
+    }
+    Ok(())
+}
+
 /// Checks a test's witness, touching line or certificate.
 pub fn check(group: &Group, test: &Test) -> Result<(), String> {
     let scene = group.scene.as_ref().map_or(&Value::Null, |scene| &scene.input);
-    let reason = test.certificate.as_ref();
     match group.kind {
-        Kind::Eye => return check_eye(scene, test),
-        // The lines and families are the whole answer; the engine and the count by hand agree.
-        Kind::Transversals => return ensure(reason.is_some(), "no lines"),
-        Kind::Sequence | Kind::Graph | Kind::Scene => {}
-    }
-    let from = test.from.as_deref().unwrap_or_default();
-    let portals = match group.kind {
-        Kind::Sequence => polygons(&test.input.as_ref().ok_or("no input")?["portals"]),
-        Kind::Graph if test.class == Some(Class::Blocked) => Vec::new(),
-        Kind::Graph => along(scene, &serde_json::json!(test.portals), from)?,
-        _ => polygons(&reason.ok_or("no openings")?["openings"]),
-    };
-    match (test.class, &test.witness, &test.touching_line) {
-        (Some(Class::Open), Some(line), None) => check_witness(&portals, line)?,
-        (Some(Class::Grazing), None, Some(line)) => check_touching(&portals, line)?,
-        (Some(Class::Blocked), None, None) => {}
-        _ => return Err("another proof than that of its class".to_owned()),
-    }
-    let Some(reason) = reason else { return Ok(()) };
-    match group.kind {
-        Kind::Graph => {
-            let all = simple(scene, from, test.to.as_deref().unwrap(), &mut vec![], &mut vec![]);
-            let told = reason["sequences"].as_array().ok_or("no sequences")?;
-            for way in all {
-                let way = serde_json::json!(way);
-                let why =
-                    told.iter().find(|told| told["portals"] == way).ok_or("a way is left out")?;
-                check_reason(&along(scene, &way, from)?, &why["reason"])?;
-            }
-            Ok(())
+        Kind::Eye => check_eye(scene, test),
+        Kind::Transversals => lines::check(test),
+        Kind::Scene => scene::check(scene, test),
+        Kind::Graph => check_graph(scene, test),
+        Kind::Sequence => {
+            let portals = polygons(&test.input.as_ref().ok_or("no input")?["portals"]);
+            check_line(&portals, test)?;
+            test.certificate.as_ref().map_or(Ok(()), |reason| check_reason(&portals, reason))
         }
-        Kind::Scene if test.class != Some(Class::Blocked) && reason["reason"].is_null() => Ok(()),
-        Kind::Scene => check_reason(&portals, &reason["reason"]),
-        _ => check_reason(&portals, reason),
     }
 }

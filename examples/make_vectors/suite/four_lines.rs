@@ -3,6 +3,7 @@
 //! where it meets the saddle: a quadratic equation.
 
 use super::book::Book;
+use super::line_proof;
 use super::number::{Point, Q, moved, power, q, ratio, tenth, values};
 use serde_json::{Value, json};
 use stabline::formats::lines::LinesFile;
@@ -11,7 +12,8 @@ use stabline::stab::transversals::transversals;
 use stabline::vectors::LineCount::{self, Family, None, One, Two};
 use stabline::vectors::{Kind, Test, VectorsFile};
 
-type Line = [Point; 2];
+/// A line by two points.
+pub type Line = [Point; 2];
 
 /// All cases.
 pub fn file() -> VectorsFile {
@@ -239,7 +241,9 @@ fn of_lines(book: &mut Book, comment: &str, flags: &[&str], lines: &[Line], trut
     let file = LinesFile::read(input.to_string().as_bytes()).and_then(|file| file.lines());
     let found = transversals(&file.unwrap_or_else(|error| panic!("{error}: {input}")));
     let report = TransversalsReport::new(&found).to_json();
-    let certificate: Value = serde_json::from_str(&report).expect("it is JSON");
+    let mut certificate: Value = serde_json::from_str(&report).expect("it is JSON");
+    let (name, reason) = line_proof::reason(lines, &found);
+    certificate[name] = reason;
     let test = Test {
         input: Some(input),
         transversals: Some(truth),

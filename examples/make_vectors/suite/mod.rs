@@ -7,11 +7,14 @@ mod book;
 mod eyes;
 mod family;
 mod four_lines;
+mod line_proof;
 mod notes;
 mod number;
 mod pairs;
 mod plane;
+mod quadric;
 mod scenes;
+mod solids;
 mod space;
 
 use book::Book;
@@ -36,18 +39,18 @@ pub const NAMES: [&str; 8] = [
 /// If an answer is another than the construction says, and for another name.
 pub fn file(name: &str) -> VectorsFile {
     let in_graph = |place: &str| format!("Do two cells of a portal graph {place} see each other?");
-    let (plane, space) = (plane::families(), space::families());
+    let (plane, space) = (plane::families, space::families);
     match name {
         "eyes" => eyes::file(),
-        "graphs_2d" => pairs::file(name, &in_graph("in the plane"), &plane),
-        "graphs_3d" => pairs::file(name, &in_graph("in space"), &space),
-        "scenes_2d" => scenes::in_plane(&plane),
-        "scenes_3d" => scenes::in_space(&space),
+        "graphs_2d" => pairs::file(name, &in_graph("in the plane"), &plane()),
+        "graphs_3d" => pairs::file(name, &in_graph("in space"), &space()),
+        "scenes_2d" => scenes::in_plane(&plane()),
+        "scenes_3d" => scenes::in_space(&space()),
         "sequences_2d" => {
-            sequences(name, "Is there a line through segments, between their ends?", &plane)
+            sequences(name, "Is there a line through segments, between their ends?", &plane())
         }
         "sequences_3d" => {
-            sequences(name, "Is there a line through polygons, each from behind?", &space)
+            sequences(name, "Is there a line through polygons, each from behind?", &space())
         }
         "transversals" => four_lines::file(),
         other => panic!("no file {other}"),

@@ -121,6 +121,13 @@ const NOTES: &[[&str; 3]] = &[
         "Pairs of lines in such a place are where the discriminant of four lines is zero; its sign is wrong in 8 to 25 % of tests with doubles.",
     ],
     [
+        "Quadric",
+        "The half-spaces of the edges leave room and the lines do not: no weighted sum of sides \
+         refutes the sequence, products of sides do; or a neighbour of such a case.",
+        "Classic vis clips by planes through an edge and a vertex, which shuts some of these part \
+         by part and leaves others visible: waste.",
+    ],
+    [
         "ManyVertices",
         "A portal of 25 vertices or more.",
         "Windings over 24 points are not clipped by public vis programs.",
@@ -161,6 +168,34 @@ const NOTES: &[[&str; 3]] = &[
         "Overlap",
         "Pieces of a wall that overlap in one plane.",
         "Coplanar faces split each other into slivers in tree builders with tolerances.",
+    ],
+    ["Solids", "What hides is solid, convex blocks, and not thin polygons.", ""],
+    [
+        "CoincidentFaces",
+        "Faces of two solids lie in one plane and cover each other; what is between them has no width.",
+        "A scene whose blocks touch face to face gets a crack of the tolerance's width, or \
+         z-fights itself into slivers.",
+    ],
+    [
+        "SharedEdge",
+        "Two solids have an edge in common, and no gap.",
+        "A tree builder that drops short or thin windings leaks through the common edge.",
+    ],
+    [
+        "CornerTouch",
+        "Solids have a corner in common.",
+        "The corner point is seen through, or the cells around it overlap.",
+    ],
+    [
+        "EdgeOnFace",
+        "The edge of a solid lies on another's face.",
+        "Rounded, it pierces the face or hovers over it.",
+    ],
+    ["Nested", "Solids within another solid, which change nothing.", ""],
+    [
+        "OffGrid",
+        "Solids whose planes and corners are rationals on no common grid of the scene.",
+        "Corners computed from planes are rounded, and faces that coincide no longer do.",
     ],
     ["Frustum", "The eye looks through a frame: what is outside of it does not count.", ""],
 ];

@@ -6,6 +6,7 @@
 use super::book::{Book, of_portals};
 use super::family::{Family, Seq};
 use super::number::{Polygon, Q, q, values};
+use super::solids;
 use serde_json::{Value, json};
 use stabline::vectors::{Kind, Test, VectorsFile};
 
@@ -47,9 +48,9 @@ pub fn in_plane(families: &[Family]) -> VectorsFile {
     book.finish()
 }
 
-/// Walls of polygons.
+/// Walls of polygons, and scenes of solids.
 pub fn in_space(families: &[Family]) -> VectorsFile {
-    let about = "Do two view cells of a scene of polygons see each other?";
+    let about = "Do two view cells of a scene of polygons or solids see each other?";
     let mut book = Book::new("scenes_3d", about);
     for (family, index, case) in rows(families, 3) {
         let (low, high) = extents(case);
@@ -78,6 +79,7 @@ pub fn in_space(families: &[Family]) -> VectorsFile {
         case.comment = format!("{how}. {}", case.comment);
         both_ways(&mut book, &case);
     }
+    solids::add(&mut book);
     book.finish()
 }
 

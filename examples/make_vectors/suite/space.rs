@@ -3,17 +3,17 @@
 
 use super::family::{Family, Seq, TRIPLE};
 use super::number::{Point, Polygon, Q, q, ratio, tenth};
-use super::plane;
+use super::{plane, quadric};
 use stabline::vectors::Class::{Blocked, Grazing, Open};
 
 /// The rectangle at height z.
-fn square(z: &Q, [a, b]: [Q; 2], [c, d]: [Q; 2]) -> Polygon {
+pub(super) fn square(z: &Q, [a, b]: [Q; 2], [c, d]: [Q; 2]) -> Polygon {
     let at = |x: &Q, y: &Q| vec![x.clone(), y.clone(), z.clone()];
     vec![at(&a, &c), at(&b, &c), at(&b, &d), at(&a, &d)]
 }
 
 /// Whole numbers as coordinates of a rectangle.
-fn whole(z: i64, x: [i64; 2], y: [i64; 2]) -> Polygon {
+pub(super) fn whole(z: i64, x: [i64; 2], y: [i64; 2]) -> Polygon {
     square(&q(z), x.map(q), y.map(q))
 }
 
@@ -38,6 +38,8 @@ pub fn families() -> Vec<Family> {
         in_one_plane(),
         opposed(),
         straight_sides(),
+        quadric::rows(),
+        quadric::loose(),
     ];
     families.extend(plane::families().into_iter().map(upright));
     families

@@ -8,7 +8,7 @@ use crate::cli::program::Program;
 use crate::cli::progress::ProgressArgs;
 use crate::report::Progress;
 use crate::vectors::{
-    Answer, Case, Expected, Failing, Kind, Mark, Mishap, Policy, ScoreReport, Tally, judge,
+    Answer, Case, Expected, Failing, Kind, Mark, Mishap, Policy, ScoreReport, Tally, Witness, judge,
 };
 use serde_json::{Value, json};
 use std::ffi::OsString;
@@ -90,6 +90,9 @@ struct Question<'f> {
     expected: Expected,
 }
 
+/// An answer, and the line that is shown for it.
+type Said = (Answer, Option<Witness>);
+
 pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let policy = match args.policy {
         PolicyArg::Open => Policy::Open,
@@ -108,9 +111,14 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     let answers = ask_all(&args, &program, &questions).ok_or(Failure::Interrupted)?;
     let mut tally = Tally::default();
     let mut listed = Vec::new();
-    for (question, answer) in questions.iter().zip(&answers) {
+    for (question, said) in questions.iter().zip(&answers) {
+        let answer = said.clone().map(|(answer, _)| answer);
         let Question { file, case, expected } = question;
-        let mark = judge(expected, answer, policy);
+        let is_refuted = |said: &Said| said.1.as_ref().is_some_and(|line| !line.proves(case));
+        let mark = match said.as_ref().is_ok_and(is_refuted) {
+            true => Mark::WrongWitness,
+            false => judge(expected, &answer, policy),
+        };
         tally.add(case.kind, &case.flags, mark);
         if mark.fails() || mark == Mark::Waste {
             listed.push(Failing {
@@ -118,7 +126,7 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
                 tc_id: case.tc_id,
                 mark,
                 expected: expected.answer().to_value(),
-                got: shown(answer),
+                got: shown(said),
                 comment: case.comment.clone(),
                 flags: case.flags.clone(),
             });
@@ -161,9 +169,15 @@ fn questions<'f>(args: &Args, loaded: &'f [Loaded]) -> Vec<Question<'f>> {
     all.filter(|q| is_kind(q.case.kind) && has_flag(&q.case.flags)).collect()
 }
 
-fn shown(answer: &Result<Answer, Mishap>) -> Value {
-    match answer {
-        Ok(answer) => answer.to_value(),
+fn shown(said: &Result<Said, Mishap>) -> Value {
+    match said {
+        Ok((answer, witness)) => {
+            let mut value = answer.to_value();
+            if let Some(witness) = witness {
+                value["witness"] = witness.to_value();
+            }
+            value
+        }
         Err(Mishap::Hang) => json!("no answer in time"),
         Err(Mishap::Crash(what) | Mishap::Unreadable(what)) => json!(what),
     }
@@ -174,7 +188,7 @@ fn ask_all(
     args: &Args,
     program: &Program,
     questions: &[Question],
-) -> Option<Vec<Result<Answer, Mishap>>> {
+) -> Option<Vec<Result<Said, Mishap>>> {
     let reporter = args.progress.reporter();
     reporter.begin("cases", questions.len() as u64);
     let at_hand = std::thread::available_parallelism().map_or(1, |count| count.get() as u16);
@@ -191,7 +205,7 @@ fn ask_all(
                     if reporter.is_interrupted() {
                         return;
                     }
-                    let answer = session.ask(&question.case);
+                    let answer = session.ask_for_witness(&question.case);
                     reporter.advance(1);
                     answers.lock().expect("no thread panics").push((index, answer));
                 }
