@@ -5,12 +5,14 @@
 //!
 //! Each case is answered by the engine, whose witness or certificate is held by the definitions
 //! (`forge::check`), and by a brute-force twin (`oracle`) that shares nothing with it. The first
-//! disagreement ends the run with its seed and number. The digest of a family is the BLAKE3 hash of
+//! disagreement ends the run with its seed and number. `--input MAP` adds the family that is made from
+//! a portal graph. The digest of a family is the BLAKE3 hash of
 //! all its answers, the same on every machine: `--check FILE` compares them with those kept there,
 //! `--write FILE` keeps them.
 
 use stabline::forge::{
-    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, occluders_of, portal_graph,
+    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, graph_of, occluders_of,
+    portal_graph,
 };
 use stabline::formats::blake3;
 use stabline::geom::{BigPoint2, RationalPoint3};
@@ -21,7 +23,7 @@ use stabline::oracle::{
 };
 use stabline::pvs::{self, Found};
 use stabline::report::{InputId, Matrix, ProofHead, Silent, Verdict};
-use stabline::scene::PortalGraph;
+use stabline::scene::{PortalGraph, read_graph};
 use stabline::vectors::{Answer, Class, LineCount};
 use stabline::verify::verify;
 use std::process::ExitCode;
@@ -38,6 +40,7 @@ struct Options {
     seconds: Option<u64>,
     threads: usize,
     family: Option<String>,
+    input: Option<String>,
     check: Option<String>,
     write: Option<String>,
 }
@@ -49,6 +52,7 @@ fn options() -> Result<Options, String> {
         seconds: None,
         threads: 1,
         family: None,
+        input: None,
         check: None,
         write: None,
     };
@@ -62,6 +66,7 @@ fn options() -> Result<Options, String> {
             "--seconds" => options.seconds = Some(number()?),
             "--threads" => options.threads = number()?.max(1) as usize,
             "--family" => options.family = Some(value),
+            "--input" => options.input = Some(value),
             "--check" => options.check = Some(value),
             "--write" => options.write = Some(value),
             _ => return Err(format!("{name}: no such option")),
@@ -81,15 +86,19 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    let chosen = |family: &&Family| options.family.as_ref().is_none_or(|name| name == family.name);
+    let map = options.input.as_ref().map(read_map).transpose()?;
+    let chosen = |family: &&Family| {
+        let is_named = options.family.as_ref().is_none_or(|name| name == family.name);
+        is_named && (map.is_some() || !family.from_map)
+    };
     let families: Vec<&Family> = FAMILIES.iter().filter(chosen).collect();
     if families.is_empty() {
-        return Err("no such family".to_owned());
+        return Err("no such family, or no --input for it".to_owned());
     }
     let mut lines = String::new();
     for family in families {
         let start = Instant::now();
-        let Soaked { count, digest, open, grazing } = soak(family, options)?;
+        let Soaked { count, digest, open, grazing } = soak(family, options, map.as_ref())?;
         let line = format!("{} {count} seed {} {digest}\n", family.name, options.seed);
         let seconds = start.elapsed().as_secs_f64();
         println!(
@@ -111,6 +120,13 @@ fn run(options: &Options) -> Result<(), String> {
     Ok(())
 }
 
+/// The portal graph in a file, `.prt` or JSON.
+fn read_map(path: &String) -> Result<Graph, String> {
+    let bytes = std::fs::read(path).map_err(|error| format!("{path}: {error}"))?;
+    let graph = read_graph(path, &bytes).map_err(|error| error.to_string())?;
+    Ok(graph_of(&graph))
+}
+
 struct Soaked {
     count: u64,
     digest: String,
@@ -121,9 +137,10 @@ struct Soaked {
 /// A block's hash of answers, and how many were open and grazing.
 type Block = (String, u64, u64);
 
-fn soak(family: &Family, options: &Options) -> Result<Soaked, String> {
+fn soak(family: &Family, options: &Options, map: Option<&Graph>) -> Result<Soaked, String> {
     let deadline = options.seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds));
-    let settings = family.settings(&[]).map_err(|error| error.to_string())?;
+    let map = map.filter(|_| family.from_map).cloned();
+    let settings = family.settings(&[], map).map_err(|error| error.to_string())?;
     let (next, stop) = (AtomicU64::new(0), AtomicBool::new(false));
     let blocks: Mutex<Vec<(u64, Block)>> = Mutex::new(Vec::new());
     let failure: Mutex<Option<(u64, String)>> = Mutex::new(None);

@@ -4,11 +4,13 @@ mod laws;
 mod run;
 
 use super::exit::{Exit, Failure};
-use super::files;
-use crate::forge::{FAMILIES, Family, Input, Parameter, Settings, find};
+use super::files::{self, Input as InputFile};
+use super::world::{self, WorldArgs};
+use crate::forge::{FAMILIES, Family, Graph, Input, Parameter, Settings, find, graph_of};
 use crate::formats::blake3;
+use crate::report::Silent;
 use crate::vectors::Case;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Make hard cases, hold our own answers to them, or ask another program
 ///
@@ -17,9 +19,12 @@ use std::path::PathBuf;
 /// standard input, a process each, and prints its answer as one JSON object.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The family of cases
-    #[arg(long, value_name = "NAME", required_unless_present = "list")]
+    /// The family of cases; with `--input` it is `perturbed` if none is named
+    #[arg(long, value_name = "NAME", required_unless_present_any = ["list", "input"])]
     family: Option<String>,
+    /// The map that the family is made from: a portal graph, or anything that has one
+    #[arg(long, value_name = "MAP")]
+    input: Option<PathBuf>,
     /// Another number makes other cases
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
@@ -51,6 +56,8 @@ pub(super) struct Args {
     /// The program answers one line a case, one line each, in one process
     #[arg(long, requires = "run")]
     stream: bool,
+    #[command(flatten)]
+    world: WorldArgs,
 }
 
 fn parse_parameter(text: &str) -> Result<(String, i64), String> {
@@ -63,13 +70,13 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
     if args.list {
         return files::print(&listed()).map(|()| Exit::Done);
     }
-    let name = args.family.as_deref().unwrap_or_default();
+    let name = args.family.as_deref().unwrap_or("perturbed");
     let family = Family::named(name).ok_or_else(|| {
         let names: Vec<&str> = FAMILIES.iter().map(|family| family.name).collect();
         Failure::usage(format!("no family `{name}`, expected one of {}", names.join(", ")))
     })?;
-    let settings =
-        family.settings(&args.param).map_err(|e| Failure::usage(format!("--param: {e}")))?;
+    let map = args.input.as_ref().map(|path| read_map(path, &args.world)).transpose()?;
+    let settings = family.settings(&args.param, map).map_err(Failure::usage)?;
     if args.laws {
         return laws::hold(&args, family, &settings);
     }
@@ -98,6 +105,12 @@ pub(super) fn run(args: Args) -> Result<Exit, Failure> {
         text = format!("{} {} seed {} {hash}\n", family.name, args.count, args.seed);
     }
     files::print(&text).map(|()| Exit::Done)
+}
+
+/// The portal graph of a file.
+fn read_map(path: &Path, args: &WorldArgs) -> Result<Graph, Failure> {
+    let file = InputFile::read(path)?;
+    Ok(graph_of(&world::read_graph(&file, args, &Silent)?))
 }
 
 fn numbers(args: &Args) -> std::ops::Range<u32> {

@@ -15,7 +15,7 @@ mod own;
 mod reduce;
 mod shapes;
 
-pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError};
+pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError, graph_of};
 pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
 pub use laws::{LAWS, Law, Relation};
 pub use own::{

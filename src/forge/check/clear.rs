@@ -101,22 +101,37 @@ pub fn is_clear(p: &[Rational; 3], q: &[Rational; 3], occluders: &[Vec<HalfSpace
     occluders.iter().all(|set| part_within([p, q], set, whole()).is_none())
 }
 
-/// Whether the line shows that two convex regions see each other: it passes through both, and
-/// between two of its points in them nothing stands.
+/// Whether the line shows that two convex regions see each other: one of the stretches between what
+/// occludes, on the whole line, has points inside of both.
 pub fn shows(
-    [p, q]: [&[Rational; 3]; 2],
+    line: [&[Rational; 3]; 2],
     regions: [&[HalfSpace]; 2],
     occluders: &[Vec<HalfSpace>],
 ) -> bool {
-    let middle = |region: &[HalfSpace]| match part_within([p, q], region, None) {
-        Some([Some(low), Some(high)]) if low < high => {
-            let at = (low + high) / Rational::from(Int::from(2));
-            Some([0, 1, 2].map(|i| &p[i] + &at * (&q[i] - &p[i])))
-        }
-        Some(_) | None => None,
+    let [Some(from), Some(to)] = regions.map(|region| part_within(line, region, None)) else {
+        return false;
     };
-    match regions.map(middle) {
-        [Some(a), Some(b)] => is_clear(&a, &b, occluders),
-        _ => false,
+    // What is bounded has two ends on a line; `None` is first as a low end.
+    let mut shut: Vec<[Option<Rational>; 2]> =
+        occluders.iter().filter_map(|set| part_within(line, set, None)).collect();
+    shut.sort();
+    let mut low = None;
+    for [start, end] in shut {
+        if share([&low, &start], [&from, &to]) {
+            return true;
+        }
+        low = low.max(end);
     }
+    share([&low, &None], [&from, &to])
+}
+
+/// Whether an open stretch of a line has points inside of both others; ends that are `None` are at
+/// infinity.
+fn share([low, high]: [&Option<Rational>; 2], others: [&[Option<Rational>; 2]; 2]) -> bool {
+    let meets = |[start, end]: &[Option<Rational>; 2]| {
+        let first = low.as_ref().max(start.as_ref());
+        let last = [high, end].into_iter().flatten().min();
+        first.zip(last).is_none_or(|(first, last)| first < last)
+    };
+    others.into_iter().all(meets)
 }

@@ -25,9 +25,9 @@ fn dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// The edges of a polygon.
+/// The edges of a polygon; a vertex said twice makes none.
 fn edges(polygon: &Polygon) -> impl Iterator<Item = (&Point, &Point)> {
-    polygon.iter().zip(polygon.iter().cycle().skip(1))
+    polygon.iter().zip(polygon.iter().cycle().skip(1)).filter(|(p, q)| p != q)
 }
 
 /// Whether the line from `a` to `b` is strictly right of every edge of every polygon in space.

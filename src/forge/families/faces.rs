@@ -20,6 +20,7 @@ pub(super) const COPLANAR: Family = Family {
     kind: Kind::Sequence,
     purpose: "portals in one plane, overlapping, side by side, or one over the other, crossed the \
               same way or against each other",
+    from_map: false,
     parameters: &[PORTALS, SPREAD],
     make: coplanar,
 };
@@ -28,6 +29,7 @@ pub(super) const COLLINEAR: Family = Family {
     name: "collinear",
     kind: Kind::Sequence,
     purpose: "vertices in the middle of straight sides, and edges of several portals on one line",
+    from_map: false,
     parameters: &[PORTALS, SPREAD],
     make: collinear,
 };
@@ -36,6 +38,7 @@ pub(super) const SHARED: Family = Family {
     name: "shared",
     kind: Kind::Sequence,
     purpose: "portals that share a vertex, or a whole edge, with the one before",
+    from_map: false,
     parameters: &[PORTALS, SPREAD],
     make: shared,
 };
@@ -45,6 +48,7 @@ pub(super) const TOUCH: Family = Family {
     kind: Kind::Sequence,
     purpose: "portals that touch in a point: a vertex on an edge or in the inside of another \
               (T-junctions), or edges that cross",
+    from_map: false,
     parameters: &[PORTALS, SPREAD],
     make: touch,
 };
@@ -53,6 +57,7 @@ pub(super) const DUPLICATE: Family = Family {
     name: "duplicate",
     kind: Kind::Sequence,
     purpose: "exact duplicates of portals, some turned around, some starting at another vertex",
+    from_map: false,
     parameters: &[PORTALS, SPREAD],
     make: duplicate,
 };

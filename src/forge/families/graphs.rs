@@ -12,6 +12,7 @@ pub(super) const ROW: Family = Family {
     kind: Kind::Graph,
     purpose: "cells in a row whose portals are a sequence of another family: consecutive portals in \
               one plane, turned around, in the wrong order",
+    from_map: false,
     parameters: &[],
     make: row,
 };
@@ -21,6 +22,7 @@ pub(super) const WILD: Family = Family {
     kind: Kind::Graph,
     purpose: "portals anywhere between any two cells, several between the same two, equal ones: the \
               definition of open does not ask whether space looks like that",
+    from_map: false,
     parameters: &[Parameter {
         name: "portals",
         purpose: "the most portals",
@@ -35,6 +37,7 @@ pub(super) const FLOOR: Family = Family {
     kind: Kind::Graph,
     purpose: "graphs of the plane: axial rooms with doors that share ends, are one unit wide, or \
               fill a wall, and walls that end in a T",
+    from_map: false,
     parameters: &[
         Parameter { name: "rooms", purpose: "the most rooms", default: 6, range: [2, 60] },
         Parameter { name: "size", purpose: "the box's sides", default: 6, range: [2, 100_000] },
@@ -46,7 +49,7 @@ fn row(random: &mut Random, _: &Settings) -> Input {
     let in_space = |family: &&Family| family.kind == Kind::Sequence && family.name != "slit";
     let families: Vec<&Family> = FAMILIES.iter().filter(in_space).collect();
     let family = families[random.between(0, families.len() as i64 - 1) as usize];
-    let settings = family.defaults();
+    let settings = family.settings(&[], None).expect("the defaults are in range");
     let Input::Sequence(portals) = (family.make)(random, &settings) else {
         unreachable!("the family makes sequences")
     };

@@ -13,6 +13,7 @@ pub(super) const PENCIL: Family = Family {
     name: "pencil",
     kind: Kind::Sequence,
     purpose: "portals whose planes, or edges, or vertices all meet one line",
+    from_map: false,
     parameters: &[PORTALS],
     make: pencil,
 };
@@ -22,6 +23,7 @@ pub(super) const REGULUS: Family = Family {
     kind: Kind::Sequence,
     purpose: "portals with an edge each on lines of one ruling of z = xy, or a unit beside them: \
               the lines of the other ruling touch all of them",
+    from_map: false,
     parameters: &[PORTALS, NEAR],
     make: regulus,
 };
@@ -45,6 +47,7 @@ pub(super) const TRANSVERSALS: Family = Family {
     kind: Kind::Transversals,
     purpose: "four lines that are concurrent, coplanar, parallel, equal, of one regulus, tangent to \
               the quadric of the other three, or near to any of these",
+    from_map: false,
     parameters: &[REACH],
     make: transversals,
 };

@@ -3,13 +3,16 @@
 mod faces;
 mod graphs;
 mod lines;
+mod perturbed;
 mod places;
 mod plane;
 mod rooms;
 mod scenes;
 mod thin;
 
-use super::input::Input;
+pub use perturbed::graph_of;
+
+use super::input::{Graph, Input};
 use crate::num::Random;
 use crate::vectors::Kind;
 
@@ -22,6 +25,8 @@ pub struct Family {
     pub kind: Kind,
     /// What it is for.
     pub purpose: &'static str,
+    /// Whether its cases are made from a map ([`Settings::map`]).
+    pub from_map: bool,
     /// What may be set.
     pub parameters: &'static [Parameter],
     make: fn(&mut Random, &Settings) -> Input,
@@ -40,10 +45,12 @@ pub struct Parameter {
     pub range: [i64; 2],
 }
 
-/// The parameters' values.
+/// What a family's cases are made from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
     values: Vec<(&'static str, i64)>,
+    /// The map, with one portal at least, of a family that takes one.
+    map: Option<Graph>,
 }
 
 /// Why parameters cannot be set so.
@@ -69,6 +76,15 @@ pub enum SettingsError {
         /// What was given.
         got: i64,
     },
+    /// A family that is made from a map, without one.
+    #[error("the family `{0}` is made from a map: name a file")]
+    NoMap(&'static str),
+    /// A map for a family that is made from nothing.
+    #[error("the family `{0}` is not made from a map")]
+    NeedsNoMap(&'static str),
+    /// A map in which nothing can be moved.
+    #[error("the map has no portal")]
+    NoPortal,
 }
 
 impl Settings {
@@ -89,7 +105,7 @@ const PORTALS: Parameter = Parameter {
     range: [1, 12],
 };
 
-/// Every family, sequences first.
+/// Every family, sequences first, and last the one that is made from a map.
 pub const FAMILIES: &[Family] = &[
     faces::COPLANAR,
     faces::COLLINEAR,
@@ -112,6 +128,7 @@ pub const FAMILIES: &[Family] = &[
     scenes::WALLS,
     scenes::BLOCKS,
     scenes::PLAN,
+    perturbed::PERTURBED,
 ];
 
 impl Family {
@@ -120,18 +137,23 @@ impl Family {
         FAMILIES.iter().find(|family| family.name == name)
     }
 
-    /// The parameters' values if nothing is said.
-    pub fn defaults(&self) -> Settings {
-        let value = |parameter: &Parameter| (parameter.name, parameter.default);
-        Settings { values: self.parameters.iter().map(value).collect() }
-    }
-
-    /// The parameters' values, those given and the defaults of the others.
+    /// The parameters' values, those given and the defaults of the others, and the map.
     ///
     /// # Errors
     /// [`SettingsError`].
-    pub fn settings(&self, given: &[(String, i64)]) -> Result<Settings, SettingsError> {
-        let mut values = self.defaults().values;
+    pub fn settings(
+        &self,
+        given: &[(String, i64)],
+        map: Option<Graph>,
+    ) -> Result<Settings, SettingsError> {
+        match &map {
+            None if self.from_map => return Err(SettingsError::NoMap(self.name)),
+            Some(_) if !self.from_map => return Err(SettingsError::NeedsNoMap(self.name)),
+            Some(map) if map.doors.is_empty() => return Err(SettingsError::NoPortal),
+            Some(_) | None => {}
+        }
+        let value = |parameter: &Parameter| (parameter.name, parameter.default);
+        let mut values: Vec<(&str, i64)> = self.parameters.iter().map(value).collect();
         for (name, got) in given {
             let Some(index) = self.parameters.iter().position(|p| p.name == name) else {
                 let known: Vec<&str> = self.parameters.iter().map(|p| p.name).collect();
@@ -148,7 +170,7 @@ impl Family {
             }
             values[index].1 = *got;
         }
-        Ok(Settings { values })
+        Ok(Settings { values, map })
     }
 
     /// The input of this number.

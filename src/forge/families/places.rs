@@ -14,6 +14,7 @@ pub(super) const PARALLEL: Family = Family {
     kind: Kind::Sequence,
     purpose: "parallel planes, parallel edges, all of them or all but one: the planes' common line \
               is at infinity",
+    from_map: false,
     parameters: &[PORTALS],
     make: parallel,
 };
@@ -23,6 +24,7 @@ pub(super) const MAGNITUDE: Family = Family {
     kind: Kind::Sequence,
     purpose: "small portals scaled to huge or tiny coordinates and moved far from the origin, by \
               powers of two and of ten, thirds, and the metres of an inch",
+    from_map: false,
     parameters: &[
         PORTALS,
         Parameter {
@@ -40,6 +42,7 @@ pub(super) const NEAR: Family = Family {
     kind: Kind::Sequence,
     purpose: "portals that one line touches with an edge or a vertex each, one vertex then moved by \
               a unit: nearly open and nearly blocked",
+    from_map: false,
     parameters: &[
         PORTALS,
         Parameter {

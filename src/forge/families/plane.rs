@@ -11,6 +11,7 @@ pub(super) const GATES: Family = Family {
     kind: Kind::Sequence,
     purpose: "sequences of segments in the plane: ends shared, on one line, crossed, doubled, turned \
               around, on a grid so small that ties are the rule",
+    from_map: false,
     parameters: &[
         Parameter { default: 6, ..PORTALS },
         Parameter {

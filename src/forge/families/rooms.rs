@@ -11,6 +11,7 @@ pub(super) const ROOMS: Family = Family {
     kind: Kind::Graph,
     purpose: "axial rooms with doors: several in one wall, sharing edges and corners, one unit \
               wide, triangles, T-junctions where walls meet",
+    from_map: false,
     parameters: &[
         Parameter { name: "rooms", purpose: "the most rooms", default: 6, range: [2, 60] },
         Parameter { name: "size", purpose: "the box's sides", default: 6, range: [2, 100_000] },

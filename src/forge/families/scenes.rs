@@ -14,6 +14,7 @@ pub(super) const WALLS: Family = Family {
     kind: Kind::Scene,
     purpose: "polygons in few planes: coincident, coplanar and overlapping, edge to edge, ending in \
               a T on another, with gaps of one unit, between two boxes",
+    from_map: false,
     parameters: &[OCCLUDERS],
     make: walls,
 };
@@ -23,6 +24,7 @@ pub(super) const BLOCKS: Family = Family {
     kind: Kind::Scene,
     purpose: "solids with coincident faces, touching in an edge or in a corner, one in the other, \
               between two boxes",
+    from_map: false,
     parameters: &[Parameter { default: 2, ..OCCLUDERS }],
     make: blocks,
 };
@@ -32,6 +34,7 @@ pub(super) const PLAN: Family = Family {
     kind: Kind::Scene,
     purpose: "segments in the plane that overlap, cross, end on each other, or leave one unit \
               between them, between two regions",
+    from_map: false,
     parameters: &[Parameter { default: 5, ..OCCLUDERS }],
     make: plan,
 };

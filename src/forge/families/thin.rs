@@ -12,6 +12,7 @@ pub(super) const SLIVER: Family = Family {
     name: "sliver",
     kind: Kind::Sequence,
     purpose: "needles and slivers: triangles and parallelograms many times longer than wide",
+    from_map: false,
     parameters: &[
         PORTALS,
         Parameter {
@@ -29,6 +30,7 @@ pub(super) const SLIT: Family = Family {
     kind: Kind::Sequence,
     purpose: "walls one behind the other, each with a slit of width 10^-1 to 10^-20, placed so \
               that lines pass all, graze the ends, or miss by less than a width",
+    from_map: false,
     parameters: &[
         PORTALS,
         Parameter {
