@@ -5,8 +5,8 @@
 //!
 //! Each case is answered by the engine, whose witness or certificate is held by the definitions
 //! (`forge::check`), and by a brute-force twin (`oracle`) that shares nothing with it. The first
-//! disagreement ends the run with its seed and number. `--input MAP` adds the family that is made from
-//! a portal graph. The digest of a family is the BLAKE3 hash of
+//! disagreement ends the run with its seed and number. `--input MAP` adds the family that is made
+//! from a portal graph. The digest of a family is the BLAKE3 hash of
 //! all its answers, the same on every machine: `--check FILE` compares them with those kept there,
 //! `--write FILE` keeps them.
 

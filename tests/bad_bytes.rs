@@ -4,15 +4,20 @@
 mod support;
 
 use proptest::prelude::*;
+use stabline::forge::Input;
 use stabline::formats::bsp::{BitMatrix, LevelTree, Visibility, write_visibility};
 use stabline::formats::json::{GeometryFile, SceneFile};
+use stabline::formats::lines::LinesFile;
 use stabline::formats::npy::NpyMatrix;
+use stabline::formats::sequence::SequenceFile;
 use stabline::formats::wad::{Archive, MapForm};
 use stabline::formats::{gltf, obj, prt};
 use stabline::report::PvsReport;
 use stabline::scene::{
     CellOrder, LevelOptions, PortalGraph, WorldOptions, read_graph, read_level, read_world,
 };
+use stabline::vectors::{Case, VectorsFile};
+use stabline::verify::verify;
 use support::wads::two_rooms;
 use support::{THREE_ROOMS, level, root, three_rooms_result};
 
@@ -57,6 +62,18 @@ fn assert_valid(graph: &PortalGraph) {
     CellOrder::new(graph);
 }
 
+const SEQUENCE: &str = r#"{"about": "a", "format": "stabline-sequence/1",
+ "portals": [[[0, 0, 0], [1, "1/2", 0], [0, 1, 0]], [[0, 0, 3], [1, 0, 3], [0, 1.5, 3]]]}"#;
+
+const LINES: &str = r#"{"format": "stabline-lines/1", "lines": [[[0, 0, 0], [1, "1/2", 0]],
+ [[0, 0, 1], [0, 1, 1]], [[1, 1, 2], [2, 5, 2]], [[3, 1, 2], [2, 5, 4]]]}"#;
+
+const CASE: &str = r#"{"tcId": 4, "kind": "graph", "from": "a", "to": "b", "input": {"about": "",
+ "format": "stabline-scene/1", "cells": ["a", "b"], "portals": [{"from": "a", "to": "b",
+ "polygon": [[0, 0, 0], [0, "4/3", 0], [0, 1, 1]]}]}}"#;
+
+const PROOF: &str = "snapshots/golden/draw/three_cells_graph/proof.txt";
+
 /// All parsers on the same bytes.
 fn parse(bytes: &[u8]) {
     if let Err(error) = prt::read(bytes) {
@@ -92,6 +109,14 @@ fn parse(bytes: &[u8]) {
             Err(error) => assert!(error.to_string().starts_with(name)),
         }
     }
+    let _ = SequenceFile::read(bytes).and_then(|file| file.points());
+    let _ = LinesFile::read(bytes).and_then(|file| file.lines());
+    if let Ok(case) = Case::read(bytes) {
+        assert_eq!(Case::read(case.to_line().as_bytes()).unwrap(), case);
+        let _ = Input::of_case(&case);
+    }
+    let _ = VectorsFile::read(bytes);
+    let _ = verify(bytes);
     let _ = PvsReport::read(bytes);
     let _ = NpyMatrix::read(bytes);
     let _ = LevelTree::read(bytes);
@@ -133,6 +158,8 @@ fn files() -> Vec<Vec<u8>> {
     let headless = "2\n1\n1\n2\n3 0 1 (0 0 0 ) (1 0 0 ) (0 1 0 )\n";
     let texts = [THREE_ROOMS, SCENE, q3, am, headless, &three_rooms_result(), MAP, GEOMETRY, OBJ];
     let mut files: Vec<Vec<u8>> = texts.iter().map(|text| text.as_bytes().to_vec()).collect();
+    files.extend([SEQUENCE, LINES, CASE].map(|text| text.as_bytes().to_vec()));
+    files.push(std::fs::read(root().join(PROOF)).unwrap());
     let glb = std::fs::read(root().join("scenes/world/panels_cross_turned.glb")).unwrap();
     files.extend([npy, level([1, 3, 7, 15]), quake2, quake3, glb]);
     let forms = [MapForm::Doom, MapForm::Hexen, MapForm::Udmf];
@@ -199,6 +226,11 @@ fn the_undamaged_files_are_read() {
     let levels = files.iter().filter(|bytes| Visibility::read(bytes).is_ok()).count();
     let others = files.iter().filter(|b| PvsReport::read(b).is_ok() || NpyMatrix::read(b).is_ok());
     assert_eq!((graphs, levels, others.count()), (5, 3, 2));
+    assert_eq!(files.iter().filter(|bytes| verify(bytes.as_slice()).is_ok()).count(), 1);
+    assert_eq!(files.iter().filter(|bytes| Case::read(bytes).is_ok()).count(), 1);
+    let portals = files.iter().flat_map(|b| SequenceFile::read(b).and_then(|file| file.points()));
+    let lines = files.iter().flat_map(|b| LinesFile::read(b).and_then(|file| file.lines()));
+    assert_eq!((portals.count(), lines.count()), (1, 1));
     let source = read_level("x", MAP.as_bytes(), LevelOptions::default()).unwrap();
     assert_eq!((source.brushes.len(), source.warnings.len()), (1, 2));
     let count = |name: &str| {

@@ -1,7 +1,8 @@
-//! The forge: every family makes valid cases, our two engines and the twins agree on them, laws hold
-//! and can be broken, and the commands do what they say.
+//! The forge: every family makes valid cases, our two engines and the twins agree on them, laws
+//! hold and can be broken, and the commands do what they say.
 //!
-//! `STABLINE_CASES=N` sets the number of cases a family (default 12); `examples/soak.rs` is for many.
+//! `STABLINE_CASES=N` sets the number of cases a family (default 12); `examples/soak.rs` is for
+//! many.
 
 mod support;
 
@@ -178,7 +179,8 @@ fn programs_that_look_at_coordinates_break_laws() {
 #[test]
 fn relations_are_what_they_say() {
     let [blocked, grazing, open] = [Class::Blocked, Class::Grazing, Class::Open].map(Answer::Class);
-    let holds = |relation: Relation, a: &Answer, b: &Answer| relation.holds(a, &[b.clone()]);
+    let holds =
+        |relation: Relation, a: &Answer, b: &Answer| relation.holds(a, std::slice::from_ref(b));
     assert!(holds(Relation::Same, &open, &open) && !holds(Relation::Same, &open, &grazing));
     assert!(holds(Relation::SameOpen, &blocked, &grazing));
     assert!(!holds(Relation::SameOpen, &blocked, &open));

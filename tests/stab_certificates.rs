@@ -31,8 +31,8 @@ fn splits(proof: &QuadricProof) -> usize {
     }
 }
 
-/// The proofs that differ from this one in one weight, plane, multiple or half, or lack one product,
-/// or name a split that is not there.
+/// The proofs that differ from this one in one weight, plane, multiple or half, or lack one
+/// product, or name a split that is not there.
 fn tampered(proof: &QuadricProof) -> Vec<QuadricProof> {
     let mut all = Vec::new();
     match proof {

@@ -135,7 +135,8 @@ fn is_scene(path: &Path) -> std::io::Result<bool> {
             let known = kind.is_ok_and(|kind| {
                 matches!(kind, InputKind::Graph | InputKind::Plan | InputKind::Geometry)
             });
-            known && String::from_utf8_lossy(&bytes).contains("stabline-scene/1")
+            let text: serde_json::Result<serde_json::Value> = serde_json::from_slice(&bytes);
+            known && text.is_ok_and(|text| text["format"] == "stabline-scene/1")
         }
         _ => false,
     })

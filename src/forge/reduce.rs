@@ -330,7 +330,8 @@ mod tests {
             let is_grazing = |input: &Input| {
                 find(input).is_ok_and(|found| found.answer == Answer::Class(Class::Grazing))
             };
-            let inputs = (0..60).map(|number| family.input(&family.defaults(), 5, number));
+            let settings = family.settings(&[], None).unwrap();
+            let inputs = (0..60).map(|number| family.input(&settings, 5, number));
             let input = inputs.into_iter().find(is_grazing).unwrap();
             let mut trial = While(is_grazing, 0);
             let smallest = reduce(&input, &mut trial);
