@@ -38,6 +38,9 @@ fuzz_target!(|bytes: &[u8]| {
     match kind % 3 {
         0 => {
             let portals = groups::<3>(&bytes[..bytes.len().min(27)], 3);
+            if portals.is_empty() {
+                return;
+            }
             holds(Input::Sequence(rationals(&portals)), || {
                 let point = |p: &[Int; 3]| BigPoint3 { coordinates: p.clone() };
                 let portals: Vec<Vec<BigPoint3>> =
