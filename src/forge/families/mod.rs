@@ -25,7 +25,7 @@ pub struct Family {
     pub kind: Kind,
     /// What it is for.
     pub purpose: &'static str,
-    /// Whether its cases are made from a map ([`Settings::map`]).
+    /// Whether its cases are made from a map, which [`Family::settings`] takes.
     pub from_map: bool,
     /// What may be set.
     pub parameters: &'static [Parameter],
