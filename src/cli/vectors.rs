@@ -6,7 +6,7 @@ mod show;
 
 use super::exit::{Exit, Failure};
 use super::files;
-use crate::vectors::{Case, EngineError, answer_with_witness};
+use crate::vectors::{Case, EngineError, Witness, answer_with_witness};
 use serde_json::json;
 use std::io::{self, BufRead, Read};
 use std::path::PathBuf;
@@ -74,12 +74,9 @@ fn answer_cases(args: &AnswerArgs) -> Result<Exit, Failure> {
 
 fn answer_to(bytes: &[u8]) -> Result<String, String> {
     let case = Case::read(bytes).map_err(|error| error.to_string())?;
-    let said = answer_with_witness(&case).map_err(|error: EngineError| error.to_string())?;
-    let (mut value, witness) = (said.0.to_value(), said.1);
-    if let Some(witness) = witness {
-        value["witness"] = witness.to_value();
-    }
-    Ok(value.to_string())
+    let (answer, witness) =
+        answer_with_witness(&case).map_err(|error: EngineError| error.to_string())?;
+    Ok(Witness::beside(&answer, witness.as_ref()).to_string())
 }
 
 fn show(args: &ShowArgs) -> Result<Exit, Failure> {

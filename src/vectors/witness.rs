@@ -42,10 +42,14 @@ impl Witness {
         Ok(Some(Witness { points, portals: numbers }))
     }
 
-    /// The JSON value of its points.
-    pub fn to_value(&self) -> Value {
-        let point = |p: &Vec<Rational>| p.iter().map(ToString::to_string).collect::<Vec<_>>();
-        json!(self.points.each_ref().map(point))
+    /// An answer as JSON, with the points of the line that is shown for it, if one is.
+    pub fn beside(answer: &Answer, witness: Option<&Witness>) -> Value {
+        let mut value = answer.to_value();
+        if let Some(witness) = witness {
+            let point = |p: &Vec<Rational>| p.iter().map(ToString::to_string).collect::<Vec<_>>();
+            value["witness"] = json!(witness.points.each_ref().map(point));
+        }
+        value
     }
 
     /// Whether it proves the case's sequence open, or its two cells.

@@ -31,17 +31,20 @@ struct Search {
     refutation: char,
 }
 
+/// Three blocked triangles in a row; the other searches differ from it.
+const TRIANGLES: Search = Search {
+    seed: 1,
+    cases: 16,
+    portals: 3,
+    quads: false,
+    is_row: true,
+    class: Blocked,
+    refutation: 'i',
+};
+
 /// Rows of portals, which convex cells can have.
 pub fn rows() -> Family {
-    let row = Search {
-        seed: 1,
-        cases: 16,
-        portals: 3,
-        quads: false,
-        is_row: true,
-        class: Blocked,
-        refutation: 'i',
-    };
+    let row = TRIANGLES;
     let mut cases = row.run();
     cases.extend(Search { seed: 2, cases: 4, portals: 4, ..row }.run());
     cases.extend(Search { seed: 3, cases: 4, quads: true, ..row }.run());
@@ -51,15 +54,7 @@ pub fn rows() -> Family {
 
 /// Portals anywhere.
 pub fn loose() -> Family {
-    let loose = Search {
-        seed: 5,
-        cases: 12,
-        portals: 3,
-        quads: false,
-        is_row: false,
-        class: Blocked,
-        refutation: 'i',
-    };
+    let loose = Search { seed: 5, cases: 12, is_row: false, ..TRIANGLES };
     let mut cases = loose.run();
     cases.extend(Search { seed: 6, cases: 4, portals: 4, ..loose }.run());
     cases.extend(Search { seed: 7, cases: 4, quads: true, ..loose }.run());

@@ -171,13 +171,7 @@ fn questions<'f>(args: &Args, loaded: &'f [Loaded]) -> Vec<Question<'f>> {
 
 fn shown(said: &Result<Said, Mishap>) -> Value {
     match said {
-        Ok((answer, witness)) => {
-            let mut value = answer.to_value();
-            if let Some(witness) = witness {
-                value["witness"] = witness.to_value();
-            }
-            value
-        }
+        Ok((answer, witness)) => Witness::beside(answer, witness.as_ref()),
         Err(Mishap::Hang) => json!("no answer in time"),
         Err(Mishap::Crash(what) | Mishap::Unreadable(what)) => json!(what),
     }
