@@ -4,27 +4,20 @@
 //!     cargo run --release --example soak -- --cases 100000 --threads 2
 //!
 //! Each case is answered by the engine, whose witness or certificate is held by the definitions
-//! (`forge::check`), and by a brute-force twin (`oracle`) that shares nothing with it. The first
-//! disagreement ends the run with its seed and number. `--input MAP` adds the family that is made
-//! from a portal graph. The digest of a family is the BLAKE3 hash of
-//! all its answers, the same on every machine: `--check FILE` compares them with those kept there,
-//! `--write FILE` keeps them.
+//! (`forge::check`), and by a brute-force twin (`forge::twin`) that shares nothing with it. The
+//! first disagreement ends the run with its seed and number. `--input MAP` adds the family that is
+//! made from a portal graph. The digest of a family is the BLAKE3 hash of all its answers, the same
+//! on every machine: `--check FILE` compares them with those kept there, `--write FILE` keeps them.
 
 use stabline::forge::{
-    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, graph_of, occluders_of,
-    portal_graph,
+    self, FAMILIES, Family, Finding, Graph, Input, Scene, find, graph_of, occluders_of, twin,
 };
 use stabline::formats::blake3;
-use stabline::geom::{BigPoint2, RationalPoint3};
 use stabline::num::{Int, Rational};
-use stabline::oracle::{
-    Gate, MeetingLines, PlaneTruth, Truth, classify, classify_2d, meeting_lines, on_common_grid,
-    open_pairs, touched_pairs,
-};
 use stabline::pvs::{self, Found};
 use stabline::report::{InputId, Matrix, ProofHead, Silent, Verdict};
 use stabline::scene::{PortalGraph, read_graph};
-use stabline::vectors::{Answer, Class, LineCount};
+use stabline::vectors::{Answer, Class};
 use stabline::verify::verify;
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -198,47 +191,21 @@ fn soak(family: &Family, options: &Options, map: Option<&Graph>) -> Result<Soake
 fn compare(input: &Input) -> Result<Finding, String> {
     let found = find(input).map_err(|fault| fault.to_string())?;
     let expected = match input {
-        Input::Sequence(portals) if input.dimension() == 2 => {
-            let segments: Vec<[BigPoint2; 2]> = plane_points(portals);
-            Answer::Class(match classify_2d(&segments) {
-                PlaneTruth::Open => Class::Open,
-                PlaneTruth::Grazing => Class::Grazing,
-                PlaneTruth::Blocked => Class::Blocked,
-            })
-        }
-        Input::Sequence(portals) => {
-            let points: Vec<Vec<RationalPoint3>> =
-                portals.iter().map(|polygon| polygon.iter().map(|p| point3(p)).collect()).collect();
-            let slices: Vec<&[RationalPoint3]> = points.iter().map(Vec::as_slice).collect();
-            Answer::Class(match classify(&on_common_grid(&slices).1) {
-                Truth::Open(_) => Class::Open,
-                Truth::Grazing(_) => Class::Grazing,
-                Truth::Blocked => Class::Blocked,
-            })
-        }
-        Input::Lines(lines) => {
-            let ends = |k: usize| [0, 1].map(|end| [0, 1, 2].map(|i| lines[k][end][i].clone()));
-            Answer::Lines(match meeting_lines(&[0, 1, 2, 3].map(ends)) {
-                MeetingLines::None => LineCount::None,
-                MeetingLines::One => LineCount::One,
-                MeetingLines::Two => LineCount::Two,
-                MeetingLines::Family => LineCount::Family,
-            })
-        }
-        Input::Graph(graph) => Answer::Class(twin_of_graph(graph)?),
+        Input::Graph(graph) => Some(Answer::Class(twin_of_graph(graph)?)),
         // The sightline of what is open was held; sampled points must not see more than that.
         Input::Scene(scene) if found.answer != Answer::Class(Class::Open) => {
-            match sampled_sight(scene) {
-                Some(points) => return Err(format!("{points:?} see each other: {found:?}")),
-                None => found.answer.clone(),
+            if let Some(points) = sampled_sight(scene) {
+                return Err(format!("{points:?} see each other: {found:?}"));
             }
+            None
         }
-        Input::Scene(_) => found.answer.clone(),
+        input => twin::answer(input).map_err(|fault| fault.to_string())?,
     };
-    if found.answer == expected {
-        Ok(found)
-    } else {
-        Err(format!("the engine says {:?}, the twin {expected:?}", found.answer))
+    match expected {
+        Some(expected) if found.answer != expected => {
+            Err(format!("the engine says {:?}, the twin {expected:?}", found.answer))
+        }
+        Some(_) | None => Ok(found),
     }
 }
 
@@ -272,9 +239,15 @@ fn samples(region: &[Vec<Rational>]) -> Vec<[Rational; 3]> {
 }
 
 /// The proof of the graph's PVS, grazing pairs included, as the independent checker takes it.
-fn check_proof(built: &PortalGraph, matrix: &Matrix, rows: &[pvs::Row]) -> Result<(), String> {
+fn check_proof(
+    graph: &Graph,
+    built: &PortalGraph,
+    matrix: &Matrix,
+    rows: &[pvs::Row],
+) -> Result<(), String> {
     let mut matrix = matrix.clone();
-    let grazing = pvs::classify_grazing(built, &mut matrix, None, &Silent).ok_or("interrupted")?;
+    let grazing =
+        forge::classify_grazing(graph, built, &mut matrix).map_err(|fault| fault.to_string())?;
     let found = Found { matrix: &matrix, rows, grazing: &grazing };
     let input = InputId { name: "a graph".to_owned(), blake3: "0".repeat(64) };
     let head = ProofHead { program: "stabline", input: &input };
@@ -283,33 +256,11 @@ fn check_proof(built: &PortalGraph, matrix: &Matrix, rows: &[pvs::Row]) -> Resul
     verify(text.as_slice()).map(drop).map_err(|flaw| format!("the proof does not hold: {flaw}"))
 }
 
-fn point3(p: &[Rational]) -> RationalPoint3 {
-    RationalPoint3::from(&[0, 1, 2].map(|i| p[i].clone()))
-}
-
-fn plane_points(segments: &[Vec<Vec<Rational>>]) -> Vec<[BigPoint2; 2]> {
-    let all = segments.iter().flatten().flatten();
-    let unit = all.fold(Int::from(1), |common, c| num_integer::lcm(common, c.denom().clone()));
-    let end =
-        |p: &Vec<Rational>| BigPoint2 { coordinates: [0, 1].map(|i| (&p[i] * &unit).to_integer()) };
-    segments.iter().map(|ends| [end(&ends[0]), end(&ends[1])]).collect()
-}
-
 /// What the walk over all sequences says of the pair; of all other pairs, that it says the same.
 fn twin_of_graph(graph: &Graph) -> Result<Class, String> {
-    let built = portal_graph(graph).map_err(|fault| fault.to_string())?;
-    let gates: Vec<Gate> = built
-        .portals
-        .iter()
-        .map(|portal| Gate {
-            from: portal.from.0 as usize,
-            to: portal.to.0 as usize,
-            vertices: built.corners(portal).cloned().collect(),
-        })
-        .collect();
-    let open = open_pairs(graph.cells, &gates);
-    let (_, matrix, rows) = forge::pvs_of(graph).map_err(|fault| fault.to_string())?;
-    check_proof(&built, &matrix, &rows)?;
+    let open = twin::open_cells(graph).map_err(|fault| fault.to_string())?;
+    let (built, matrix, rows) = forge::pvs_of(graph).map_err(|fault| fault.to_string())?;
+    check_proof(graph, &built, &matrix, &rows)?;
     for (a, row) in open.iter().enumerate() {
         for (b, &is_open) in row.iter().enumerate() {
             if is_open != (matrix.get(a, b) == Verdict::Open) {
@@ -317,9 +268,5 @@ fn twin_of_graph(graph: &Graph) -> Result<Class, String> {
             }
         }
     }
-    if open[graph.from][graph.to] {
-        return Ok(Class::Open);
-    }
-    let touched = touched_pairs(graph.cells, &gates)[graph.from][graph.to];
-    Ok(if touched { Class::Grazing } else { Class::Blocked })
+    twin::class_of_pair(graph, open[graph.from][graph.to]).map_err(|fault| fault.to_string())
 }

@@ -175,6 +175,33 @@ fn every_scene_matches() {
 }
 
 #[test]
+fn floorplans_and_graphs_of_the_plane_hold() {
+    let mut grazing = 0;
+    for path in support::scenes("scenes/plan") {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let folder = proved(name, &fs::read(&path).unwrap(), &["--grazing"]);
+        // The portal graph of a floorplan is of this program's making.
+        let is_graph = name.starts_with("graph_");
+        assert_eq!(both_hold(folder.path(), &["proof", name]), [is_graph; 2], "{name}");
+        let proof = fs::read_to_string(folder.path().join("proof/proof.txt")).unwrap();
+        grazing += proof.lines().filter(|line| line.starts_with("grazing ")).count();
+    }
+    assert!(grazing > 2, "{grazing}");
+}
+
+#[test]
+fn in_the_plane_no_touching_line_stands_upright() {
+    let file = fs::read(root().join("scenes/regression/doors_around_one_post.json")).unwrap();
+    let file: Value = serde_json::from_slice(&file).unwrap();
+    let graph = file["case"]["input"].to_string();
+    let folder = proved("post.json", graph.as_bytes(), &["--grazing", "-o", "post.pvs.json"]);
+    assert_eq!(both_hold(folder.path(), &["proof", "post.json"]), [true; 2]);
+    let result = fs::read(folder.path().join("post.pvs.json")).unwrap();
+    let result: Value = serde_json::from_slice(&result).unwrap();
+    assert_eq!(result["rows"], json!(["22220", "22221", "22222", "22222", "01222"]));
+}
+
+#[test]
 fn graphs_of_the_plane_and_strange_names() {
     let graph = json!({
         "about": "Strange names.",

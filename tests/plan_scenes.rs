@@ -23,8 +23,7 @@ fn scenes_match_their_snapshots() {
             text += &stdout(&output);
             text += &told(&output);
         }
-        let grazing: &[&str] = if is_graph { &[] } else { &["--grazing"] };
-        let output = stabline(root(), &[&["pvs", scene, "-o", "-"], grazing].concat());
+        let output = stabline(root(), &["pvs", scene, "-o", "-", "--grazing"]);
         let result = stdout(&output);
         let rows = result.split_once("\"counts\"").unwrap().1;
         text += &format!("\"counts\"{rows}");

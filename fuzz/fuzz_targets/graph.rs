@@ -3,9 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use stabline::forge::{Door, Graph, portal_graph, pvs_of};
+use stabline::forge::{Door, Graph, portal_graph, pvs_of, twin};
 use stabline::num::{Int, Rational};
-use stabline::oracle::{Gate, open_pairs};
 use stabline::report::Verdict;
 
 const CELLS: usize = 4;
@@ -20,15 +19,11 @@ fuzz_target!(|bytes: &[u8]| {
     };
     let doors: Vec<Door> = bytes.chunks_exact(10).take(4).map(door).collect();
     let graph = Graph { cells: CELLS, doors, from: 0, to: 1 };
-    let Ok(built) = portal_graph(&graph) else { return };
-    let gate = |portal: &stabline::scene::Portal| Gate {
-        from: portal.from.0 as usize,
-        to: portal.to.0 as usize,
-        vertices: built.corners(portal).cloned().collect(),
-    };
-    let gates: Vec<Gate> = built.portals.iter().map(gate).collect();
+    if portal_graph(&graph).is_err() {
+        return;
+    }
     let (_, matrix, _) = pvs_of(&graph).unwrap_or_else(|fault| panic!("{fault}"));
-    for (a, row) in open_pairs(CELLS, &gates).iter().enumerate() {
+    for (a, row) in twin::open_cells(&graph).unwrap().iter().enumerate() {
         for (b, &is_open) in row.iter().enumerate() {
             assert_eq!(matrix.get(a, b) == Verdict::Open, is_open, "cells {a} and {b}");
         }

@@ -3,85 +3,35 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use stabline::forge::{Fault, Input, accepts, find};
-use stabline::geom::{BigPoint2, BigPoint3};
+use stabline::forge::{Fault, Input, Polygon, accepts, find, twin};
 use stabline::num::{Int, Rational};
-use stabline::oracle::{
-    MeetingLines, PlaneTruth, Truth, classify, classify_2d, meeting_lines,
-};
-use stabline::vectors::{Answer, Class, LineCount};
 
-/// Groups of `count` points of `D` coordinates.
-fn groups<const D: usize>(bytes: &[u8], count: usize) -> Vec<Vec<[Int; D]>> {
-    let point = |point: &[u8]| std::array::from_fn(|i| Int::from(point[i] as i8));
-    bytes.chunks_exact(D * count).map(|group| group.chunks_exact(D).map(point).collect()).collect()
-}
-
-fn rationals<const D: usize>(groups: &[Vec<[Int; D]>]) -> Vec<Vec<Vec<Rational>>> {
-    let point = |p: &[Int; D]| p.iter().cloned().map(Rational::from).collect();
-    groups.iter().map(|group| group.iter().map(point).collect()).collect()
-}
-
-fn holds(input: Input, expected: impl FnOnce() -> Answer) {
-    if !accepts(&input) {
-        return;
-    }
-    match find(&input) {
-        Ok(found) => assert_eq!(found.answer, expected()),
-        Err(Fault::Refused(_)) => {}
-        Err(fault) => panic!("{fault}"),
-    }
+/// Groups of `count` points of `axes` coordinates.
+fn groups(bytes: &[u8], axes: usize, count: usize) -> Vec<Polygon> {
+    let number = |&byte: &u8| Rational::from(Int::from(byte as i8));
+    let point = |point: &[u8]| point.iter().map(number).collect();
+    let polygon = |group: &[u8]| group.chunks_exact(axes).map(point).collect();
+    bytes.chunks_exact(axes * count).map(polygon).collect()
 }
 
 fuzz_target!(|bytes: &[u8]| {
     let Some((kind, bytes)) = bytes.split_first() else { return };
-    match kind % 3 {
-        0 => {
-            let portals = groups::<3>(&bytes[..bytes.len().min(27)], 3);
-            if portals.is_empty() {
-                return;
-            }
-            holds(Input::Sequence(rationals(&portals)), || {
-                let point = |p: &[Int; 3]| BigPoint3 { coordinates: p.clone() };
-                let portals: Vec<Vec<BigPoint3>> =
-                    portals.iter().map(|portal| portal.iter().map(point).collect()).collect();
-                Answer::Class(match classify(&portals) {
-                    Truth::Open(_) => Class::Open,
-                    Truth::Grazing(_) => Class::Grazing,
-                    Truth::Blocked => Class::Blocked,
-                })
-            });
-        }
-        1 => {
-            let gates = groups::<2>(&bytes[..bytes.len().min(24)], 2);
-            if gates.is_empty() {
-                return;
-            }
-            holds(Input::Sequence(rationals(&gates)), || {
-                let end = |p: &[Int; 2]| BigPoint2 { coordinates: p.clone() };
-                let gates: Vec<[BigPoint2; 2]> =
-                    gates.iter().map(|gate| [end(&gate[0]), end(&gate[1])]).collect();
-                Answer::Class(match classify_2d(&gates) {
-                    PlaneTruth::Open => Class::Open,
-                    PlaneTruth::Grazing => Class::Grazing,
-                    PlaneTruth::Blocked => Class::Blocked,
-                })
-            });
-        }
-        _ => {
-            let lines = rationals(&groups::<3>(bytes, 2));
-            let Ok(lines) = <[_; 4]>::try_from(lines) else { return };
-            let ends = lines.each_ref().map(|line: &Vec<Vec<Rational>>| {
-                [0, 1].map(|end| [0, 1, 2].map(|i| line[end][i].clone()))
-            });
-            holds(Input::Lines(lines.to_vec()), || {
-                Answer::Lines(match meeting_lines(&ends) {
-                    MeetingLines::None => LineCount::None,
-                    MeetingLines::One => LineCount::One,
-                    MeetingLines::Two => LineCount::Two,
-                    MeetingLines::Family => LineCount::Family,
-                })
-            });
-        }
+    let input = match kind % 3 {
+        0 => Input::Sequence(groups(&bytes[..bytes.len().min(27)], 3, 3)),
+        1 => Input::Sequence(groups(&bytes[..bytes.len().min(24)], 2, 2)),
+        _ => Input::Lines(groups(&bytes[..bytes.len().min(24)], 3, 2)),
+    };
+    let is_whole = match &input {
+        Input::Lines(lines) => lines.len() == 4,
+        // Formats refuse a sequence of no portals.
+        input => !input.polygons().is_empty(),
+    };
+    if !is_whole || !accepts(&input) {
+        return;
+    }
+    match find(&input) {
+        Ok(found) => assert_eq!(Some(found.answer), twin::answer(&input).unwrap()),
+        Err(Fault::Refused(_)) => {}
+        Err(fault) => panic!("{fault}"),
     }
 });

@@ -24,8 +24,7 @@ pub(super) struct Args {
     /// Scenes, or folders of scenes: all that `pvs` reads, as they are named below DIR
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// Split the pairs that are not open into grazing and blocked, but for floorplans, whose proofs
-    /// do not go so far
+    /// Split the pairs that are not open into grazing and blocked
     #[arg(long)]
     grazing: bool,
     /// Replace what is kept by what comes out now
@@ -156,7 +155,7 @@ fn results(args: &Args, path: &Path) -> Result<Files, Failure> {
     ]);
     let input = Input::read(path)?;
     let is_plan = super::plan::is_plan(&input);
-    if args.grazing && !is_plan {
+    if args.grazing {
         words.push("--grazing".into());
     }
     if input.map.is_some() {

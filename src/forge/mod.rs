@@ -14,11 +14,14 @@ mod laws;
 mod own;
 mod reduce;
 mod shapes;
+#[cfg(feature = "oracle")]
+pub mod twin;
 
 pub use families::{FAMILIES, Family, Parameter, Settings, SettingsError, graph_of};
 pub use input::{CaseError, Door, Graph, Input, Point, Polygon, Scene};
 pub use laws::{LAWS, Law, Relation};
 pub use own::{
-    Fault, Finding, accepts, find, occluders_of, portal_graph, pvs_of, raised, regions_of, test_of,
+    Fault, Finding, accepts, classify_grazing, find, occluders_of, portal_graph, pvs_of, raised,
+    regions_of, test_of,
 };
 pub use reduce::{Measure, Trial, measure, reduce};

@@ -13,7 +13,9 @@ use super::input::{Door, Graph, Input, Polygon};
 use crate::geom::{BigLine, BigPoint2, BigPoint3, RationalPoint3};
 use crate::num::{Int, Number, Rational, Surd};
 use crate::pvs;
-use crate::report::{Matrix, Silent, Verdict};
+use crate::pvs::plan::{Groups, classify_plan_grazing};
+use crate::report::{Matrix, ProvedGrazing, Silent, Verdict};
+use crate::scene::plan::{PlanInput, read_plan};
 use crate::scene::{PortalGraph, RawGraph, RawPortal};
 use crate::stab::hourglass::{End, EndTerm, Hourglass, PlaneVerdict};
 use crate::stab::transversals::transversals;
@@ -280,10 +282,36 @@ pub fn pvs_of(graph: &Graph) -> Result<(PortalGraph, Matrix, Vec<pvs::Row>), Fau
     Ok((built, matrix, finished.rows))
 }
 
+/// Splits the pairs of `matrix` that are not open into grazing and blocked; the touching lines.
+///
+/// Those of a graph of the plane lie in it: at its portals of height 1 others may stand upright.
+///
+/// # Errors
+/// [`Fault::Refused`].
+pub fn classify_grazing(
+    graph: &Graph,
+    built: &PortalGraph,
+    matrix: &mut Matrix,
+) -> Result<Vec<ProvedGrazing>, Fault> {
+    let uninterrupted = "nothing interrupts in silence";
+    let input = Input::Graph(graph.clone());
+    if input.dimension() == 3 {
+        return Ok(pvs::classify_grazing(built, matrix, None, &Silent).expect(uninterrupted));
+    }
+    let text = input.document().to_string();
+    let PlanInput::Graph(flat) = read_plan("case.json", text.as_bytes()).map_err(refused)? else {
+        return Err(refused("no portal graph"));
+    };
+    let (crossings, groups) = (flat.crossings(), Groups::cells(flat.cells.len()));
+    let touches = classify_plan_grazing(&flat, &crossings, &groups, matrix, &Silent);
+    let touches = touches.expect(uninterrupted);
+    Ok(touches.iter().map(|touch| touch.in_space(&flat, &crossings)).collect())
+}
+
 fn of_pair(graph: &Graph) -> Result<Finding, Fault> {
     let (built, mut matrix, rows) = pvs_of(graph)?;
     if matrix.get(graph.from, graph.to) != Verdict::Open {
-        pvs::classify_grazing(&built, &mut matrix, None, &Silent);
+        classify_grazing(graph, &built, &mut matrix)?;
     }
     let class = class_of(matrix.get(graph.from, graph.to));
     Ok(Finding { answer: Answer::Class(class), evidence: format!("{matrix:?} {rows:?}") })

@@ -23,7 +23,7 @@ pub use lines::{MeetingLines, meeting_lines};
 pub use motion::first_contact;
 pub use overlap::overlap;
 pub use plan::{Door, Flat, flat_pairs, flat_seers};
-pub use plane::{PlaneTruth, classify_2d};
+pub use plane::{PlaneGate, PlaneTruth, classify_2d, classify_pairs_2d};
 pub use pvs::{Gate, on_common_grid, open_pairs, touched_pairs};
 pub use sequence::{LinePoints, Truth, classify, open_in_order};
 pub use sweep::{Star, star};

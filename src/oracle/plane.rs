@@ -8,15 +8,57 @@
 use crate::geom::BigPoint2;
 use crate::num::{Int, Sign};
 
-/// What is true of a sequence of segments.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is true of a sequence of segments, the most that can be seen last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlaneTruth {
+    /// No line meets all closed segments in its direction.
+    Blocked,
+    /// One does, but none passes strictly between left and right ends.
+    Grazing,
     /// Some line passes strictly between left and right ends.
     Open,
-    /// None does, but one meets all closed segments in its direction.
-    Grazing,
-    /// Neither.
-    Blocked,
+}
+
+/// A segment between two cells, with a direction of crossing.
+#[derive(Clone, Debug)]
+pub struct PlaneGate {
+    /// The cell that a line leaves.
+    pub from: usize,
+    /// The cell that it enters.
+    pub to: usize,
+    /// The left end, and the right one.
+    pub ends: [BigPoint2; 2],
+}
+
+/// What is true of each ordered pair of cells, row by row: the best of all sequences that enter no
+/// cell twice, each judged by itself and without asking for an order; a cell is open to itself.
+/// Each segment is given in one direction and crossed in both. As many decisions as there are
+/// sequences that a line touches, times the segments of a cell.
+pub fn classify_pairs_2d(cells: usize, gates: &[PlaneGate]) -> Vec<Vec<PlaneTruth>> {
+    let reversed = |gate: &PlaneGate| {
+        let [left, right] = gate.ends.clone();
+        PlaneGate { from: gate.to, to: gate.from, ends: [right, left] }
+    };
+    let crossings: Vec<PlaneGate> =
+        gates.iter().flat_map(|gate| [gate.clone(), reversed(gate)]).collect();
+    let row = |source: usize| {
+        let mut best = vec![PlaneTruth::Blocked; cells];
+        best[source] = PlaneTruth::Open;
+        let mut stack: Vec<(Vec<usize>, Vec<[BigPoint2; 2]>)> = vec![(vec![source], Vec::new())];
+        while let Some((crossed, segments)) = stack.pop() {
+            let leaves = |gate: &&PlaneGate| crossed.last() == Some(&gate.from);
+            for gate in crossings.iter().filter(leaves).filter(|g| !crossed.contains(&g.to)) {
+                let segments: Vec<_> = segments.iter().chain([&gate.ends]).cloned().collect();
+                let truth = classify_2d(&segments);
+                if truth != PlaneTruth::Blocked {
+                    best[gate.to] = best[gate.to].max(truth);
+                    stack.push((crossed.iter().copied().chain([gate.to]).collect(), segments));
+                }
+            }
+        }
+        best
+    };
+    (0..cells).map(row).collect()
 }
 
 /// Decides a sequence of segments, each by its left and its right end, which differ.

@@ -31,7 +31,7 @@ mod view;
 mod witness;
 
 pub use cover::Cover;
-pub use grazing::classify_plan_grazing;
+pub use grazing::{PlanTouch, classify_plan_grazing};
 pub use groups::Groups;
 pub use object::{PlanObjectSight, PlanObjectSights, plan_object_sights};
 pub use stab_tree::{PlanStabTree, PlanTreeSize, plan_stab_trees, plan_tree_sizes};

@@ -53,6 +53,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
             "report",
             "pvs",
             "vectors",
+            "oracle",
         ],
     ),
     ("draw", &["num", "predicates", "scene", "subdivision", "portal"]),

@@ -29,7 +29,7 @@ pub(super) fn draw_sectors(
     })?;
     let wants = Wants { witnesses: false, grazing: false };
     let found = sights(planar, Some(level), wants, &Silent).ok_or(Failure::Interrupted)?;
-    let is_seen = |sector: usize| found.0.get(source, sector) == Verdict::Open;
+    let is_seen = |sector: usize| found.matrix.get(source, sector) == Verdict::Open;
     let shades = shades(level, |sector| match sector as usize {
         sector if sector == source => Shade::Source,
         sector if is_seen(sector) => Shade::Visible,

@@ -25,11 +25,11 @@ pub(super) fn draw_visibility(
 ) -> Result<String, Failure> {
     let graph = planar.graph();
     let wants = Wants { witnesses: true, grazing: false };
-    let (matrix, witnesses) = sights(planar, None, wants, &Silent).ok_or(Failure::Interrupted)?;
-    let sees = |cell: &CellId| matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
+    let found = sights(planar, None, wants, &Silent).ok_or(Failure::Interrupted)?;
+    let sees = |cell: &CellId| found.matrix.get(from.0 as usize, cell.0 as usize) == Verdict::Open;
     let visible: Vec<CellId> = floor.cells().filter(sees).collect();
     let mut lines = Vec::new();
-    for witness in &witnesses {
+    for witness in &found.witnesses {
         let pair = [witness.from, witness.to].map(CellId);
         if pair.contains(&from) {
             let line = on_grid(graph, &witness.line);

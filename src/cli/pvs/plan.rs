@@ -6,7 +6,9 @@ use super::super::files::{self, Input};
 use super::super::plan::{self, Planar};
 use super::summary::{self, Clock};
 use super::{Args, CellsArg, objects, on_threads, proof, tree};
-use crate::pvs::plan::{Cover, PlanSight, classify_plan_grazing, plan_matrix, plan_sights};
+use crate::pvs::plan::{
+    Cover, PlanSight, PlanTouch, classify_plan_grazing, plan_matrix, plan_sights,
+};
 use crate::pvs::{self, Options};
 use crate::report::{InputId, Matrix, PairWitness, Progress, PvsReport, WitnessLine};
 use crate::scene::plan::PlanGraph;
@@ -22,15 +24,16 @@ pub(super) fn run(
     super::refuse_doom_options(args, input.map.is_some())?;
     let planar = on_threads(args, |watch| plan::read(input, &args.plan, watch))??;
     clock.lap("read");
-    refuse_of(args, &planar)?;
+    refuse_proof_of_sectors(args, &planar)?;
     if sectors_asked(args, &planar).is_none() && planar.graph().cells.len() > MOST_CELLS {
         return only_trees(args, input, &planar);
     }
     let wants_witnesses = args.output.is_some() && !args.no_witness;
     let wants = Wants { witnesses: wants_witnesses || args.proof.is_some(), grazing: args.grazing };
     let level = sectors_asked(args, &planar);
-    let found = on_threads(args, |watch| sights(&planar, level, wants, watch))?;
-    let Some((matrix, witnesses)) = found else { return Err(Failure::Interrupted) };
+    let Sights { matrix, witnesses, touches } =
+        on_threads(args, |watch| sights(&planar, level, wants, watch))?
+            .ok_or(Failure::Interrupted)?;
     clock.lap("search");
     let cells = match level {
         Some(level) => (0..level.sectors).map(|sector| sector.to_string()).collect(),
@@ -47,15 +50,12 @@ pub(super) fn run(
         matrix,
         witnesses,
     };
-    let objects = match &args.objects {
-        Some(_) => {
-            Some(objects::of_plan(args, input, &planar, &report)?.ok_or(Failure::Interrupted)?)
-        }
-        None => None,
-    };
-    if let (Some(output), Some(objects)) = (&args.objects, &objects) {
+    let mut objects = None;
+    if let Some(output) = &args.objects {
+        let found = objects::of_plan(args, input, &planar, &report)?.ok_or(Failure::Interrupted)?;
         clock.lap("objects");
-        files::write(Some(output), |out| objects.write(out))?;
+        files::write(Some(output), |out| found.write(out))?;
+        objects = Some(found);
     }
     if let Some(output) = &args.stab_tree {
         let trees = tree::of_plan(args, &planar)?.ok_or(Failure::Interrupted)?;
@@ -63,7 +63,7 @@ pub(super) fn run(
         trees.write_to(output, &report.input, args.stats)?;
     }
     if let Some(folder) = &args.proof {
-        if !proof::write_of_plan(args, folder, planar.graph(), &report)? {
+        if !proof::write_of_plan(args, folder, planar.graph(), &report, &touches)? {
             return Err(Failure::Interrupted);
         }
         clock.lap("proof");
@@ -139,19 +139,12 @@ fn write(args: &Args, report: &PvsReport) -> Result<(), Failure> {
     super::write(args, report)
 }
 
-/// Refuses what there is not for this plan.
-fn refuse_of(args: &Args, planar: &Planar) -> Result<(), Failure> {
-    if args.grazing && matches!(planar, Planar::Graph(_)) {
-        return Err(Failure::usage(
-            "--grazing: the graph states no polygons of its cells; expected a floorplan",
-        ));
+/// Sectors are no cells: they have no portals of their own.
+fn refuse_proof_of_sectors(args: &Args, planar: &Planar) -> Result<(), Failure> {
+    match args.proof.is_some() && sectors_asked(args, planar).is_some() {
+        true => Err(Failure::usage("--proof: it is of cells; expected --cells subsectors")),
+        false => Ok(()),
     }
-    if args.proof.is_some() && (args.grazing || sectors_asked(args, planar).is_some()) {
-        return Err(Failure::usage(
-            "--proof: in the plane it is of cells (--cells subsectors), and without --grazing",
-        ));
-    }
-    Ok(())
 }
 
 /// A plan is decided whole and in one go.
@@ -171,8 +164,15 @@ fn refuse_parts(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// `None` if interrupted.
-pub(in crate::cli) type Found = Option<(Matrix, Vec<PairWitness>)>;
+/// What was found of a plan.
+pub(in crate::cli) struct Sights {
+    /// The verdicts.
+    pub(in crate::cli) matrix: Matrix,
+    /// A line for each open pair, if wanted.
+    pub(in crate::cli) witnesses: Vec<PairWitness>,
+    /// A line for each grazing pair of cells, or of the sets of cells that make up sectors.
+    touches: Vec<PlanTouch>,
+}
 
 /// What is asked for besides open or not open.
 #[derive(Clone, Copy)]
@@ -183,31 +183,32 @@ pub(in crate::cli) struct Wants {
     pub(in crate::cli) grazing: bool,
 }
 
-/// Which cells see which, or which sectors of a level.
+/// Which cells see which, or which sectors of a level; `None` if interrupted.
 pub(in crate::cli) fn sights(
     planar: &Planar,
     sectors_of: Option<&DoomLevel>,
     wants: Wants,
     progress: &dyn Progress,
-) -> Found {
-    let graph = match planar {
-        Planar::Graph(graph) => return search(graph, progress),
-        Planar::Divided { cells, .. } => &cells.graph,
-    };
+) -> Option<Sights> {
+    let graph = planar.graph();
     let cover = match sectors_of {
         Some(level) => level.cover(),
         None => Cover::cells(graph.cells.len()),
     };
     let (crossings, groups) = (graph.crossings(), cover.groups());
-    let (mut matrix, sights) = match wants.witnesses {
-        true => plan_sights(graph, &crossings, groups, &|_, _| true, progress)?,
-        false => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
+    let (mut matrix, witnesses) = match planar {
+        Planar::Graph(graph) => search(graph, progress)?,
+        Planar::Divided { .. } if wants.witnesses => {
+            let (matrix, sights) = plan_sights(graph, &crossings, groups, &|_, _| true, progress)?;
+            (matrix, cover.sights(graph, sights).into_iter().map(witness).collect())
+        }
+        Planar::Divided { .. } => (plan_matrix(graph, &crossings, groups, progress)?, Vec::new()),
     };
-    if wants.grazing {
-        classify_plan_grazing(graph, &crossings, groups, &mut matrix, progress)?;
-    }
-    let sights = if wants.witnesses { cover.sights(graph, sights) } else { sights };
-    Some((cover.matrix(matrix), sights.into_iter().map(witness).collect()))
+    let touches = match wants.grazing {
+        true => classify_plan_grazing(graph, &crossings, groups, &mut matrix, progress)?,
+        false => Vec::new(),
+    };
+    Some(Sights { matrix: cover.matrix(matrix), witnesses, touches })
 }
 
 fn witness(sight: PlanSight) -> PairWitness {
@@ -217,7 +218,7 @@ fn witness(sight: PlanSight) -> PairWitness {
 
 /// A stated graph need not lie in the plane as a whole; its sequences are searched as those of
 /// portals with a height of 1, which the same lines pass.
-fn search(graph: &PlanGraph, progress: &dyn Progress) -> Found {
+fn search(graph: &PlanGraph, progress: &dyn Progress) -> Option<(Matrix, Vec<PairWitness>)> {
     let space = graph.in_space();
     let done = pvs::compute(&space, &Options::default(), Vec::new(), &|_| {}, progress);
     if !done.is_complete {

@@ -4,6 +4,7 @@ use super::super::exit::Failure;
 use super::super::files;
 use super::{Args, on_threads};
 use crate::num::{Int, Rational};
+use crate::pvs::plan::PlanTouch;
 use crate::pvs::{Found, OpenPair, Row, Sightline, write_proof};
 use crate::report::{PairWitness, ProofHead, ProvedGrazing, PvsReport};
 use crate::scene::plan::PlanGraph;
@@ -48,12 +49,13 @@ pub(super) fn write(
 }
 
 /// The same for a graph of the plane, by way of portals with a height of 1: those that a line of
-/// the plane passes are those that it passes at half that height.
+/// the plane passes, or touches, are those that it does at half that height.
 pub(super) fn write_of_plan(
     args: &Args,
     folder: &Path,
     graph: &PlanGraph,
     report: &PvsReport,
+    touches: &[PlanTouch],
 ) -> Result<bool, Failure> {
     let half = || Rational::new(Int::from(1), Int::from(2));
     let row = |witness: &PairWitness| {
@@ -67,7 +69,10 @@ pub(super) fn write_of_plan(
         Row { source, open: vec![OpenPair { target, portals, line }], ..Row::default() }
     };
     let rows: Vec<Row> = report.witnesses.iter().map(row).collect();
-    write(args, folder, &graph.in_space(), report, &rows, &[])
+    let crossings = graph.crossings();
+    let grazing: Vec<ProvedGrazing> =
+        touches.iter().map(|touch| touch.in_space(graph, &crossings)).collect();
+    write(args, folder, &graph.in_space(), report, &rows, &grazing)
 }
 
 /// Text as it is, compressed once it is large.

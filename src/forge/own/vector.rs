@@ -1,6 +1,6 @@
 //! An answer with its evidence, as a test vector.
 
-use super::{Fault, find, on_grid, pvs_of, refused};
+use super::{Fault, classify_grazing, find, on_grid, pvs_of, refused};
 use crate::forge::input::{Graph, Input, Polygon};
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::{SequenceFile, SequencePoints};
@@ -116,8 +116,7 @@ fn pair(graph: &Graph, input: &Input) -> Result<Option<Test>, Fault> {
         }
         Class::Blocked => {
             let mut matrix = matrix.clone();
-            let grazing = pvs::classify_grazing(&built, &mut matrix, None, &Silent);
-            let grazing = grazing.unwrap_or_default();
+            let grazing = classify_grazing(graph, &built, &mut matrix)?;
             let found = Found { matrix: &matrix, rows: &rows, grazing: &grazing };
             let head = InputId::new("input", input.document().to_string().as_bytes());
             let program = PvsReport::this_program();

@@ -1,11 +1,11 @@
 use super::*;
-use crate::num::{Number, Rational};
-use crate::oracle::{PlaneTruth, Random, classify_2d};
+use crate::num::{Number, Rational, Sign};
+use crate::oracle::{PlaneGate, PlaneTruth, Random, classify_pairs_2d};
 use crate::portal::plan::{PlanCells, cells_of_plan};
 use crate::pvs::{Options, assemble, compute};
 use crate::report::{Matrix, Silent, Verdict};
 use crate::scene::CellId;
-use crate::scene::plan::{Plan, PlanGraph, RawPlan, RawSegment};
+use crate::scene::plan::{Plan, PlanGraph, PlanPortal, RawPlan, RawSegment};
 use crate::subdivision::plan::{PlanMethod, divide};
 use num_traits::{Signed, Zero};
 
@@ -107,8 +107,7 @@ fn the_search_in_space_agrees_on_random_plans() {
 }
 
 /// Every simple portal sequence between two cells, each judged by the twin of the hourglass.
-fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
-    let crossings = graph.crossings();
+fn classified_by_sequences(graph: &PlanGraph) -> Matrix {
     let point = |end: u32| {
         let [x, y, w] = graph.points.get(end).numbers();
         // A common multiple of all denominators that occur here.
@@ -116,40 +115,46 @@ fn classify_by_sequences(graph: &PlanGraph, matrix: &mut Matrix) {
         assert!((&scale % &w).is_zero(), "{w}");
         crate::geom::BigPoint2 { coordinates: [x, y].map(|c| c * (&scale / &w)) }
     };
-    let mut best = vec![PlaneTruth::Blocked; matrix.size() * matrix.size()];
-    for from in 0..matrix.size() as u32 {
-        let mut stack: Vec<(Vec<CellId>, Vec<[crate::geom::BigPoint2; 2]>)> =
-            vec![(vec![CellId(from)], Vec::new())];
-        while let Some((cells, segments)) = stack.pop() {
-            for way in crossings.from(*cells.last().unwrap()) {
-                if cells.contains(&way.to) {
-                    continue;
-                }
-                let mut segments = segments.clone();
-                segments.push([point(way.left), point(way.right)]);
-                let truth = classify_2d(&segments);
-                if truth == PlaneTruth::Blocked {
-                    continue;
-                }
-                let entry = &mut best[from as usize * matrix.size() + way.to.0 as usize];
-                if *entry != PlaneTruth::Open {
-                    *entry = truth;
-                }
-                let cells = cells.iter().copied().chain([way.to]).collect();
-                stack.push((cells, segments));
-            }
-        }
-        for to in 0..matrix.size() {
-            let verdict = match best[from as usize * matrix.size() + to] {
+    let gate = |portal: &PlanPortal| PlaneGate {
+        from: portal.from.0 as usize,
+        to: portal.to.0 as usize,
+        ends: [portal.left, portal.right].map(point),
+    };
+    let gates: Vec<PlaneGate> = graph.portals.iter().map(gate).collect();
+    let mut matrix = Matrix::new(graph.cells.len(), Verdict::NotOpen);
+    for (from, row) in classify_pairs_2d(graph.cells.len(), &gates).iter().enumerate() {
+        for (to, truth) in row.iter().enumerate() {
+            let verdict = match truth {
                 PlaneTruth::Open => Verdict::Open,
                 PlaneTruth::Grazing => Verdict::Grazing,
                 PlaneTruth::Blocked => Verdict::NotOpen,
             };
-            if to != from as usize {
-                matrix.set(from as usize, to, verdict);
-            }
+            matrix.set(from, to, verdict);
         }
     }
+    matrix
+}
+
+/// That every grazing pair has one line, and that it touches a sequence between the two.
+fn check_touches(graph: &PlanGraph, matrix: &Matrix, touches: &[PlanTouch]) {
+    let crossings = graph.crossings();
+    for touch in touches {
+        let [from, to] = touch.groups;
+        assert_eq!(matrix.get(from as usize, to as usize), Verdict::Grazing);
+        let mut cell = touch.cells[0];
+        for way in touch.ways(graph, &crossings) {
+            assert!(crossings.from(cell).contains(&way), "a way out of the cell");
+            let [left, right] = [way.left, way.right]
+                .map(|end| graph.points.turn(touch.line[0], touch.line[1], end));
+            assert!(left != Sign::Negative && right != Sign::Positive);
+            cell = way.to;
+        }
+        assert_eq!(cell, touch.cells[1]);
+        assert!(
+            touch.cells == [CellId(from), CellId(to)] || touch.cells == [CellId(to), CellId(from)]
+        );
+    }
+    assert_eq!(2 * touches.len() as u64, matrix.counts().grazing);
 }
 
 #[test]
@@ -177,10 +182,10 @@ fn grazing_pairs_are_those_of_all_sequences() {
         let crossings = graph.crossings();
         let groups = Groups::cells(graph.cells.len());
         let mut matrix = plan_matrix(graph, &crossings, &groups, &Silent).unwrap();
-        classify_plan_grazing(graph, &crossings, &groups, &mut matrix, &Silent).unwrap();
-        let mut expected = Matrix::new(matrix.size(), Verdict::Open);
-        classify_by_sequences(graph, &mut expected);
-        assert_eq!(matrix, expected, "{segments:?}");
+        let touches =
+            classify_plan_grazing(graph, &crossings, &groups, &mut matrix, &Silent).unwrap();
+        assert_eq!(matrix, classified_by_sequences(graph), "{segments:?}");
+        check_touches(graph, &matrix, &touches);
         grazing += matrix.counts().grazing;
     }
     assert!(grazing > 50, "{grazing}");

@@ -1,17 +1,13 @@
 //! Pairs of cells: of a portal graph, or of a scene of geometry.
 
 use super::{EngineError, NAME, ViewCells, ViewCells2, index_of};
-use crate::geom::BigPoint2;
-use crate::num::Int;
-use crate::pvs::plan::{Cover, classify_plan_grazing, plan_matrix};
+use crate::pvs::plan::{Cover, Groups, classify_plan_grazing, plan_matrix};
 use crate::pvs::{self, Options};
 use crate::report::{Matrix, Silent, Verdict};
-use crate::scene::plan::{Crossings, PlanGraph, PlanInput, read_plan};
+use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::InputKind;
-use crate::scene::{CellId, PortalGraph, read_graph};
-use crate::stab::hourglass::{Hourglass, PlaneVerdict};
+use crate::scene::{PortalGraph, read_graph};
 use crate::vectors::Class;
-use num_integer::Integer;
 use serde_json::Value;
 
 /// The verdict on two cells of a portal graph, in space or in the plane.
@@ -54,72 +50,15 @@ fn class(verdict: Verdict) -> Class {
 }
 
 /// A stated graph of the plane is searched as portals with a height of 1. Lines that touch are
-/// not: in space they may stand upright. These are looked for in the plane, along all sequences.
+/// not: in space they may stand upright.
 fn of_plan_graph(graph: &PlanGraph, ends: [&str; 2]) -> Result<Class, EngineError> {
     let [from, to] = pair(&graph.cells, ends)?;
-    if open_pairs(&graph.in_space()).get(from, to) == Verdict::Open {
-        return Ok(Class::Open);
+    let mut matrix = open_pairs(&graph.in_space());
+    if matrix.get(from, to) == Verdict::NotOpen {
+        let groups = Groups::cells(graph.cells.len());
+        classify_plan_grazing(graph, &graph.crossings(), &groups, &mut matrix, &Silent);
     }
-    let mut walk = Touching::new(graph, CellId(to as u32));
-    Ok(match walk.reaches(CellId(from as u32)) {
-        true => Class::Grazing,
-        false => Class::Blocked,
-    })
-}
-
-/// A walk over the sequences of a graph of the plane that some line touches.
-struct Touching<'g> {
-    crossings: Crossings,
-    ends: Vec<BigPoint2>,
-    target: CellId,
-    crossed: Vec<CellId>,
-    hourglass: Hourglass,
-    graph: &'g PlanGraph,
-}
-
-impl<'g> Touching<'g> {
-    fn new(graph: &'g PlanGraph, target: CellId) -> Touching<'g> {
-        let points = || (0..graph.points.len() as u32).map(|point| graph.points.get(point));
-        let common = points().fold(Int::from(1), |common, p| common.lcm(&p.numbers()[2]));
-        let whole = points().map(|point| {
-            let [x, y, w] = point.numbers();
-            let scale = &common / w;
-            BigPoint2 { coordinates: [x * &scale, y * &scale] }
-        });
-        Touching {
-            crossings: graph.crossings(),
-            ends: whole.collect(),
-            target,
-            crossed: Vec::new(),
-            hourglass: Hourglass::new(),
-            graph,
-        }
-    }
-
-    fn reaches(&mut self, cell: CellId) -> bool {
-        if cell == self.target {
-            return true;
-        }
-        self.crossed.push(cell);
-        let ways = self.crossings.from(cell).to_vec();
-        let found = ways.into_iter().any(|way| {
-            debug_assert!((way.portal as usize) < self.graph.portals.len(), "a portal");
-            if self.crossed.contains(&way.to) {
-                return false;
-            }
-            let [left, right] = [way.left, way.right].map(|end| self.ends[end as usize].clone());
-            self.hourglass.push_big(left, right);
-            let touched = match self.hourglass.verdict() {
-                PlaneVerdict::Open(_) | PlaneVerdict::Grazing { .. } => true,
-                PlaneVerdict::Blocked { .. } => false,
-            };
-            let reached = touched && self.reaches(way.to);
-            self.hourglass.pop();
-            reached
-        });
-        self.crossed.pop();
-        found
-    }
+    Ok(class(matrix.get(from, to)))
 }
 
 /// The verdict on two view cells of a scene of geometry, in space or in the plane.
