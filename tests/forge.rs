@@ -6,13 +6,16 @@
 
 mod support;
 
+use serde_json::{Value, json};
 use stabline::forge::{
-    FAMILIES, Family, Input, LAWS, Relation, Settings, accepts, find, graph_of, test_of,
+    FAMILIES, Family, Input, LAWS, Relation, Settings, accepts, check, find, graph_of,
+    occluders_of, portal_graph, regions_of, test_of,
 };
-use stabline::num::Random;
+use stabline::num::{Number, Random};
 use stabline::oracle::{MeetingLines, meeting_lines};
 use stabline::scene::read_graph;
-use stabline::vectors::{Answer, Case, Class, Kind, LineCount, VectorsFile, answer};
+use stabline::vectors::{Answer, Case, Class, Kind, LineCount, Test, VectorsFile, Witness, answer};
+use stabline::verify::verify;
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
@@ -302,14 +305,49 @@ fn reduce_writes_the_smallest_case_as_a_vector() {
 fn vectors_of_answers_are_accepted_by_their_own_format() {
     let mut made = BTreeSet::new();
     for (family, name, input) in inputs() {
-        let Some(test) = test_of(&input).unwrap_or_else(|fault| panic!("{name}: {fault}")) else {
-            continue;
-        };
+        let test = test_of(&input).unwrap_or_else(|fault| panic!("{name}: {fault}"));
         let answered = test.expected().unwrap().answer();
         assert_eq!(answered, find(&input).unwrap().answer, "{name}");
         let is_open = answered == Answer::Class(Class::Open);
         assert_eq!(test.witness.is_some(), is_open, "{name}");
+        let is_grazing = answered == Answer::Class(Class::Grazing);
+        assert_eq!(test.touching_line.is_some(), is_grazing, "{name}");
+        if let Some(proof) = test.certificate.as_ref().and_then(|c| c.get("proof")) {
+            let lines = proof.as_array().unwrap().iter().map(|line| line.as_str().unwrap());
+            let text: String = lines.flat_map(|line| [line, "\n"]).collect();
+            verify(text.as_bytes()).unwrap_or_else(|flaw| panic!("{name}: {flaw}"));
+        }
+        if let Some(line) = &test.witness {
+            check_witness(&input, &test, line, &name);
+        }
         made.insert((family.kind, format!("{answered:?}")));
     }
-    assert!(made.len() >= 8, "{made:?}");
+    // Three classes of sequences, graphs and scenes, and four counts of lines at most.
+    assert!(made.len() >= 12, "{made:?}");
+}
+
+/// That the line of an open answer is one.
+fn check_witness(input: &Input, test: &Test, line: &Value, name: &str) {
+    if let Input::Graph(graph) = input {
+        let built = portal_graph(graph).unwrap();
+        // Of a portal that is not flat or not convex the line passes a piece.
+        if built.skew_portals + built.repairs.dented_portals > 0 {
+            return;
+        }
+    }
+    let Input::Scene(scene) = input else {
+        let said = json!({"class": "open", "witness": line, "portals": test.portals}).to_string();
+        let answer = Answer::Class(Class::Open);
+        let witness = Witness::read(input.kind(), &answer, &said).unwrap().unwrap();
+        assert!(witness.proves(&input.case(1, "", &[])), "{name}: {said}");
+        return;
+    };
+    let number = |c: &Value| Number::parse(c.as_str().unwrap()).unwrap().to_rational();
+    // In the plane halfway up the walls.
+    let half = Number::parse("1/2").unwrap().to_rational();
+    let point = |p: &Value| [0, 1, 2].map(|i| p.get(i).map_or(half.clone(), number));
+    let (p, q) = (point(&line[0]), point(&line[1]));
+    let regions = regions_of(scene);
+    let regions = regions.each_ref().map(Vec::as_slice);
+    assert!(check::shows([&p, &q], regions, &occluders_of(scene)), "{name}: {line}");
 }

@@ -28,10 +28,8 @@ fn cases_are_answered_as_their_snapshots_say() {
             let holds = others.is_empty() || law.relation.holds(&found.answer, &answers);
             assert!(holds, "{name}: {}: {answers:?}", law.name);
         }
-        // The evidence, of what has a form for it in a vector.
-        if let Some(test) = test_of(&input).unwrap() {
-            text.push_str(&(serde_json::to_string_pretty(&test).unwrap() + "\n"));
-        }
+        let test = test_of(&input).unwrap();
+        text.push_str(&(serde_json::to_string_pretty(&test).unwrap() + "\n"));
         settings.set_description(file["about"].as_str().unwrap());
         settings.bind(|| insta::assert_snapshot!(name, text));
     }

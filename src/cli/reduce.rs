@@ -13,8 +13,8 @@ use std::process::{Command, Stdio};
 ///
 /// The command gets each smaller case on its standard input, as one JSON object: fewer portals,
 /// cells, vertices, smaller numbers. What is left is written as a test vector
-/// (`stabline-vectors/1`) with our answer and its evidence, or, for scenes and grazing cells of
-/// graphs, as the case. Interrupted, it writes the smallest case so far.
+/// (`stabline-vectors/1`) with our answer and its evidence. Interrupted, it writes the smallest
+/// case so far.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The case, one JSON object, or `-` for standard input
@@ -105,10 +105,9 @@ fn shell(text: &str) -> Command {
     command
 }
 
-/// A file of one test, or the case where it has no evidence of one piece.
+/// A file of one test.
 fn text_of(input: &forge::Input, case: &Case) -> Result<String, Fault> {
-    let Some(test) = forge::test_of(input)? else { return Ok(case.to_line() + "\n") };
-    let mut test = test;
+    let mut test = forge::test_of(input)?;
     test.tc_id = 1;
     test.comment = case.comment.clone();
     test.flags = case.flags.clone();

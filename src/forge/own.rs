@@ -1,6 +1,7 @@
 //! Our own answer to an input, held to the definitions: what the engine gives as evidence is
 //! checked by [`super::check`] before the answer counts.
 
+mod joined;
 mod quadric;
 mod scene;
 mod vector;

@@ -105,8 +105,12 @@ impl Witness {
                 };
                 turn(left).is_positive() && turn(right).is_negative()
             }
-            (3, _) => (0..gate.len()).all(|i| {
-                let (u, v) = (arm(&gate[i]), arm(&gate[(i + 1) % gate.len()]));
+            (3, _) => gate.iter().zip(gate.iter().cycle().skip(1)).all(|(from, to)| {
+                // A vertex said twice makes no edge.
+                if from == to {
+                    return true;
+                }
+                let (u, v) = (arm(from), arm(to));
                 let axes = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
                 let side = axes.map(|(i, j, k)| &d[i] * (&u[j] * &v[k] - &u[k] * &v[j]));
                 side.into_iter().fold(Rational::zero(), |sum, c| sum + c).is_positive()
@@ -169,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_line_strictly_inside_in_its_direction_proves_a_sequence() {
-        let square = json!([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]);
+        let square = json!([[0, 0, 0], [2, 0, 0], [2, 2, 0], ["4/2", 2, 0], [0, 2, 0]]);
         let triangle = json!([["0", 0, 5], ["3/2", 0, 5], [0, 3, 5]]);
         let case = case(Kind::Sequence, json!([square, triangle]));
         let line = |p: &str| format!(r#"{{"class": "open", "witness": {p}}}"#);

@@ -3,12 +3,11 @@
 use super::super::exit::Failure;
 use super::super::files;
 use super::{Args, on_threads};
-use crate::num::{Int, Rational};
-use crate::pvs::plan::PlanTouch;
-use crate::pvs::{Found, OpenPair, Row, Sightline, write_proof};
-use crate::report::{PairWitness, ProofHead, ProvedGrazing, PvsReport};
+use crate::pvs::plan::{PlanSight, PlanTouch};
+use crate::pvs::{Found, Row, write_proof};
+use crate::report::{PairWitness, ProofHead, ProvedGrazing, PvsReport, WitnessLine};
+use crate::scene::PortalGraph;
 use crate::scene::plan::PlanGraph;
-use crate::scene::{CellId, PortalGraph};
 use flate2::write::GzEncoder;
 use flate2::{Compression, GzBuilder};
 use std::io::{self, Write};
@@ -57,16 +56,10 @@ pub(super) fn write_of_plan(
     report: &PvsReport,
     touches: &[PlanTouch],
 ) -> Result<bool, Failure> {
-    let half = || Rational::new(Int::from(1), Int::from(2));
     let row = |witness: &PairWitness| {
-        let points = witness.line.points().map(|point| {
-            let [x, y] = [0, 1].map(|axis| point[axis].to_rational());
-            [x, y, half()]
-        });
-        let (target, portals) = (CellId(witness.to), witness.portals.clone());
-        let line = Sightline::Rational(Box::new(points));
-        let source = CellId(witness.from);
-        Row { source, open: vec![OpenPair { target, portals, line }], ..Row::default() }
+        let PairWitness { from, to, portals, line } = witness.clone();
+        let WitnessLine::Plane(line) = line else { unreachable!("a line of the plane") };
+        PlanSight { from, to, portals, line }.in_space()
     };
     let rows: Vec<Row> = report.witnesses.iter().map(row).collect();
     let crossings = graph.crossings();

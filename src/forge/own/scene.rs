@@ -1,20 +1,21 @@
 //! Scenes: both regions split the division as hints, so that each leaf is in a region or out of it,
 //! and a region sees what its leaves see.
 
-use super::{Fault, Finding, class_of, holds, raised, refused};
+use super::joined::{Joined, best, is_open};
+use super::{Fault, Finding, holds, raised, refused};
 use crate::forge::check::{self, HalfSpace};
 use crate::forge::input::{Input, Point, Scene, box_corners, polygons_json, sorted_box};
 use crate::num::{Int, Number, Rational, Sign};
 use crate::portal::plan::cells_of_plan;
 use crate::portal::{WorldCells, cells_of_world};
 use crate::pvs;
-use crate::pvs::plan::{Groups, PlanSight, classify_plan_grazing, plan_sights};
+use crate::pvs::plan::{Groups, PlanSight, PlanTouch, classify_plan_grazing, plan_sights};
 use crate::report::{Matrix, PairWitness, Silent};
 use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::{WorldOptions, read_world};
 use crate::subdivision;
 use crate::subdivision::plan::{PlanMethod, divide};
-use crate::vectors::{Answer, Class};
+use crate::vectors::Answer;
 use serde_json::{Value, json};
 
 /// Whether the scene is valid.
@@ -28,12 +29,50 @@ pub(super) fn accepts(input: &Input) -> bool {
 
 /// The class of the two regions.
 pub(super) fn find(scene: &Scene, input: &Input) -> Result<Finding, Fault> {
-    let mut document = input.document();
-    if input.dimension() == 2 {
-        let plan = cells_in_plane(scene, &mut document)?;
-        return in_plane(scene, &plan);
+    let finding = |matrix: &Matrix, from: &[usize], to: &[usize]| Finding {
+        answer: Answer::Class(best(matrix, from, to)),
+        evidence: format!("{from:?} {to:?} {matrix:?}"),
+    };
+    match input.dimension() {
+        2 => in_plane(scene, input).map(|flat| finding(&flat.matrix, &flat.from, &flat.to)),
+        _ => in_space(scene, input).map(|found| finding(&found.matrix, &found.from, &found.to)),
     }
-    let cells = cells_in_space(&mut document)?;
+}
+
+/// The cells that the scene was divided into, those of the two regions, and if the two have cells
+/// in common, two points in one of them.
+pub(super) fn joined_of(scene: &Scene, input: &Input) -> Result<(Joined, Option<Value>), Fault> {
+    let text = |p: &Point| p.iter().map(ToString::to_string).collect::<Vec<String>>();
+    let ratio = |k: i64| Rational::new(Int::from(k), Int::from(3));
+    if input.dimension() == 2 {
+        let flat = in_plane(scene, input)?;
+        let common = flat.from.iter().find(|cell| flat.to.contains(cell));
+        let inner = common.map(|&cell| {
+            let corners = corners(&flat.graph, cell);
+            let middle = middle(&corners);
+            let beside = (0..2).map(|i| &middle[i] + (&corners[0][i] - &middle[i]) * ratio(1));
+            json!([text(&middle), text(&beside.collect())])
+        });
+        return Ok((flat.in_space(), inner));
+    }
+    let joined = in_space(scene, input)?;
+    let is_shared = joined.from.iter().any(|cell| joined.to.contains(cell));
+    let inner = is_shared.then(|| {
+        let [a, b] = [&scene.from, &scene.to].map(sorted_box);
+        let at = |share: Rational| -> Point {
+            let within = |i: usize| {
+                let (low, high) = ((&a[0][i]).max(&b[0][i]), (&a[1][i]).min(&b[1][i]));
+                low + (high - low) * &share
+            };
+            (0..3).map(within).collect()
+        };
+        json!([1, 2].map(|k| text(&at(ratio(k)))))
+    });
+    Ok((joined, inner))
+}
+
+fn in_space(scene: &Scene, input: &Input) -> Result<Joined, Fault> {
+    let cells = cells_in_space(&mut input.document())?;
     let options = pvs::Options::default();
     let finished = pvs::compute(&cells.graph, &options, Vec::new(), &|_| {}, &Silent);
     let mut matrix = pvs::assemble(&cells.graph, &finished.rows);
@@ -49,10 +88,12 @@ pub(super) fn find(scene: &Scene, input: &Input) -> Result<Finding, Fault> {
         .map(|w| w.line.in_space().each_ref().map(|p| p.each_ref().map(Number::to_rational)))
         .collect();
     hold_lines(scene, &lines)?;
-    if best(&matrix, &from, &to) != Class::Open {
-        pvs::classify_grazing(&cells.graph, &mut matrix, None, &Silent);
+    let mut grazing = Vec::new();
+    if !is_open(&matrix, &from, &to) {
+        grazing = pvs::classify_grazing(&cells.graph, &mut matrix, None, &Silent)
+            .ok_or_else(|| refused("interrupted"))?;
     }
-    Ok(finding(&matrix, &from, &to))
+    Ok(Joined { built: cells.graph, matrix, rows: finished.rows, grazing, from, to })
 }
 
 /// Holds that along each line the two regions see each other.
@@ -90,17 +131,6 @@ fn prism(region: &[Point]) -> Vec<Point> {
         region.iter().map(move |p| vec![p[0].clone(), p[1].clone(), z.clone()])
     };
     at(0).chain(at(1)).collect()
-}
-
-fn finding(matrix: &Matrix, from: &[usize], to: &[usize]) -> Finding {
-    let class = best(matrix, from, to);
-    Finding { answer: Answer::Class(class), evidence: format!("{from:?} {to:?} {matrix:?}") }
-}
-
-/// The greatest class of a pair of cells.
-fn best(matrix: &Matrix, from: &[usize], to: &[usize]) -> Class {
-    let pairs = from.iter().flat_map(|&a| to.iter().map(move |&b| (a, b)));
-    pairs.map(|(a, b)| class_of(matrix.get(a, b))).max().unwrap_or(Class::Blocked)
 }
 
 /// The cells of a scene in space, split by both regions.
@@ -144,15 +174,40 @@ fn cells_in_plane(scene: &Scene, document: &mut Value) -> Result<PlanGraph, Faul
     Ok(cells_of_plan(&plan, tree, false).map_err(refused)?.graph)
 }
 
-fn in_plane(scene: &Scene, graph: &PlanGraph) -> Result<Finding, Fault> {
+/// A floorplan that was searched and classified, and the cells in the two regions.
+struct Flat {
+    graph: PlanGraph,
+    matrix: Matrix,
+    sights: Vec<PlanSight>,
+    touches: Vec<PlanTouch>,
+    from: Vec<usize>,
+    to: Vec<usize>,
+}
+
+impl Flat {
+    fn in_space(self) -> Joined {
+        let crossings = self.graph.crossings();
+        Joined {
+            built: self.graph.in_space(),
+            rows: self.sights.iter().map(PlanSight::in_space).collect(),
+            grazing: self.touches.iter().map(|t| t.in_space(&self.graph, &crossings)).collect(),
+            matrix: self.matrix,
+            from: self.from,
+            to: self.to,
+        }
+    }
+}
+
+fn in_plane(scene: &Scene, input: &Input) -> Result<Flat, Fault> {
+    let graph = cells_in_plane(scene, &mut input.document())?;
     let crossings = graph.crossings();
     let groups = Groups::cells(graph.cells.len());
-    let interrupted = || Fault::Refused("interrupted".to_owned());
+    let interrupted = || refused("interrupted");
     let (mut matrix, sights) =
-        plan_sights(graph, &crossings, &groups, &|_, _| true, &Silent).ok_or_else(interrupted)?;
+        plan_sights(&graph, &crossings, &groups, &|_, _| true, &Silent).ok_or_else(interrupted)?;
     holds(matrix.asymmetric_pairs() == 0, "the matrix is not symmetric")?;
     let [from, to] = [&scene.from, &scene.to].map(|region| {
-        let within = |&cell: &usize| is_within(&middle(graph, cell), region);
+        let within = |&cell: &usize| is_within(&middle(&corners(&graph, cell)), region);
         (0..graph.cells.len()).filter(within).collect::<Vec<usize>>()
     });
     let joins = |sight: &&PlanSight| {
@@ -164,19 +219,22 @@ fn in_plane(scene: &Scene, graph: &PlanGraph) -> Result<Finding, Fault> {
     let lines: Vec<[[Rational; 3]; 2]> =
         sights.iter().filter(joins).take(1).map(|s| s.line.each_ref().map(lifted)).collect();
     hold_lines(scene, &lines)?;
-    if best(&matrix, &from, &to) != Class::Open {
-        classify_plan_grazing(graph, &crossings, &groups, &mut matrix, &Silent)
+    let mut touches = Vec::new();
+    if !is_open(&matrix, &from, &to) {
+        touches = classify_plan_grazing(&graph, &crossings, &groups, &mut matrix, &Silent)
             .ok_or_else(interrupted)?;
     }
-    Ok(finding(&matrix, &from, &to))
+    Ok(Flat { graph, matrix, sights, touches, from, to })
 }
 
-/// The mean of a cell's corners.
-fn middle(graph: &PlanGraph, cell: usize) -> Point {
-    let corners: Vec<Point> = graph.polygons[cell]
-        .iter()
-        .map(|&corner| graph.world(corner).iter().map(|c| c.to_rational()).collect())
-        .collect();
+/// A cell's corners in world units.
+fn corners(graph: &PlanGraph, cell: usize) -> Vec<Point> {
+    let world = |&corner: &u32| graph.world(corner).iter().map(|c| c.to_rational()).collect();
+    graph.polygons[cell].iter().map(world).collect()
+}
+
+/// The mean of points of the plane.
+fn middle(corners: &[Point]) -> Point {
     let count = Rational::from(Int::from(corners.len()));
     (0..2).map(|i| corners.iter().map(|p| &p[i]).sum::<Rational>() / &count).collect()
 }

@@ -1,33 +1,29 @@
 //! An answer with its evidence, as a test vector.
 
+use super::joined::{Joined, Shown};
+use super::scene::joined_of;
 use super::{Fault, classify_grazing, find, on_grid, pvs_of, refused};
-use crate::forge::input::{Graph, Input, Polygon};
+use crate::forge::input::{Graph, Input, Polygon, Scene};
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::{SequenceFile, SequencePoints};
 use crate::geom::RationalPoint3;
-use crate::num::Number;
-use crate::pvs::{self, Found};
-use crate::report::{
-    InputId, ProofHead, PvsReport, Silent, StabReport, TransversalsReport, Verdict, refutation_text,
-};
+use crate::report::{StabReport, TransversalsReport, refutation_text};
 use crate::stab::hourglass::Hourglass;
 use crate::stab::transversals::transversals;
 use crate::stab::{Stabber, Verdict as StabVerdict};
 use crate::vectors::{Answer, Class, Test};
 use serde_json::{Value, json};
 
-/// What is true of an input with what shows it, without its number, comment and flags. `None` for
-/// what has no such evidence of one piece: scenes, whose cells are of this program's making, and
-/// two cells of a graph that are grazing.
+/// What is true of an input with what shows it, without its number, comment and flags.
 ///
 /// # Errors
 /// [`Fault`].
-pub fn test_of(input: &Input) -> Result<Option<Test>, Fault> {
+pub fn test_of(input: &Input) -> Result<Test, Fault> {
     match input {
-        Input::Sequence(portals) => sequence(input, portals).map(Some),
-        Input::Lines(_) => lines(input).map(Some),
-        Input::Graph(graph) => pair(graph, input),
-        Input::Scene(_) => Ok(None),
+        Input::Sequence(portals) => sequence(input, portals),
+        Input::Lines(_) => lines(input),
+        Input::Graph(of) => graph(of, input),
+        Input::Scene(of) => scene(of, input),
     }
 }
 
@@ -89,44 +85,55 @@ fn lines(input: &Input) -> Result<Test, Fault> {
     })
 }
 
-fn pair(graph: &Graph, input: &Input) -> Result<Option<Test>, Fault> {
-    let Answer::Class(class) = find(input)?.answer else { return Ok(None) };
-    let ends = [graph.from, graph.to].map(|cell| Some(cell.to_string()));
-    let [from, to] = ends;
-    let test = Test { from, to, class: Some(class), ..Test::default() };
-    let (built, matrix, rows) = pvs_of(graph)?;
-    Ok(match class {
-        Class::Grazing => None,
-        Class::Open => {
-            let (low, high) = (graph.from.min(graph.to) as u32, graph.from.max(graph.to) as u32);
-            let witnesses = pvs::witnesses(&rows);
-            let Some(found) = witnesses.into_iter().find(|w| (w.from, w.to) == (low, high)) else {
-                // A cell and itself.
-                return Ok(None);
-            };
-            let mut portals = found.portals.clone();
-            let number = |c: &Number| Value::from(c.to_string());
-            let mut line: Vec<Value> =
-                found.line.in_space().iter().map(|p| p.iter().map(number).collect()).collect();
-            if graph.from as u32 == high {
-                portals.reverse();
-                line.reverse();
-            }
-            Some(Test { portals: Some(portals), witness: Some(line.into()), ..test })
+fn graph(graph: &Graph, input: &Input) -> Result<Test, Fault> {
+    let (built, mut matrix, rows) = pvs_of(graph)?;
+    let grazing = classify_grazing(graph, &built, &mut matrix)?;
+    let (from, to) = (vec![graph.from], vec![graph.to]);
+    let joined = Joined { built, matrix, rows, grazing, from, to };
+    let test = pair(&joined, input, [graph.from, graph.to].map(|cell| cell.to_string()))?;
+    Ok(match &test.class {
+        // A cell and itself: any line passes no portals.
+        Some(Class::Open) if graph.from == graph.to => {
+            let axes = input.dimension();
+            let points = [0, 1].map(|c| vec![c.to_string(); axes]);
+            Test { portals: Some(Vec::new()), witness: Some(json!(points)), ..test }
         }
-        Class::Blocked => {
-            let mut matrix = matrix.clone();
-            let grazing = classify_grazing(graph, &built, &mut matrix)?;
-            let found = Found { matrix: &matrix, rows: &rows, grazing: &grazing };
-            let head = InputId::new("input", input.document().to_string().as_bytes());
-            let program = PvsReport::this_program();
-            let head = ProofHead { program: &program, input: &head };
-            debug_assert_eq!(matrix.get(graph.from, graph.to), Verdict::NotOpen);
-            let text = pvs::write_proof(Vec::new(), &head, &built, &found, &Silent);
-            let text = text.map_err(refused)?.unwrap_or_default();
-            let text = String::from_utf8_lossy(&text);
-            let lines: Vec<&str> = text.lines().collect();
-            Some(Test { certificate: Some(json!({ "proof": lines })), ..test })
-        }
+        _ => test,
     })
+}
+
+fn scene(scene: &Scene, input: &Input) -> Result<Test, Fault> {
+    let (joined, inner) = joined_of(scene, input)?;
+    let test = pair(&joined, input, ["from", "to"].map(str::to_owned))?;
+    // The portals are those of a division of this program's making, as is the proof.
+    let sides = json!({"from": joined.from, "to": joined.to});
+    let certificate = test.certificate.map(|mut certificate| {
+        certificate["cells"] = sides;
+        certificate
+    });
+    let witness = test.witness.or(inner);
+    Ok(Test { portals: None, certificate, witness, ..test })
+}
+
+/// The answer to a pair with what shows it, but for an open pair of a cell and itself.
+fn pair(joined: &Joined, input: &Input, [from, to]: [String; 2]) -> Result<Test, Fault> {
+    let class = joined.class();
+    let mut test = Test { from: Some(from), to: Some(to), class: Some(class), ..Test::default() };
+    let axes = input.dimension();
+    let shown = match class {
+        Class::Open => joined.sightline(axes),
+        Class::Grazing => joined.touching_line(axes),
+        Class::Blocked => None,
+    };
+    if let Some(Shown { portals, line }) = shown {
+        test.portals = Some(portals);
+        match class {
+            Class::Open => test.witness = Some(line),
+            Class::Grazing | Class::Blocked => test.touching_line = Some(line),
+        }
+    }
+    if class != Class::Open {
+        test.certificate = Some(json!({ "proof": joined.proof(&input.document())? }));
+    }
+    Ok(test)
 }

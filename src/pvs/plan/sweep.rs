@@ -4,8 +4,10 @@ use super::around::Around;
 use super::groups::Groups;
 use super::line::{Chain, TurningLine};
 use super::witness;
-use crate::num::Number;
+use crate::num::{Int, Number, Rational};
+use crate::pvs::{OpenPair, Row, Sightline};
 use crate::report::{Matrix, Progress, Verdict};
+use crate::scene::CellId;
 use crate::scene::plan::{Crossings, PlanGraph};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -21,6 +23,18 @@ pub struct PlanSight {
     pub portals: Vec<u32>,
     /// Two distinct points of it, in its direction, in world units.
     pub line: [[Number; 2]; 2],
+}
+
+impl PlanSight {
+    /// The same in the graph's [form in space](PlanGraph::in_space), at half the portals' height,
+    /// where the groups are cells: the row of this pair alone.
+    pub fn in_space(&self) -> Row {
+        let half = Rational::new(Int::from(1), Int::from(2));
+        let lifted = |[x, y]: &[Number; 2]| [x.to_rational(), y.to_rational(), half.clone()];
+        let line = Sightline::Rational(Box::new(self.line.each_ref().map(lifted)));
+        let pair = OpenPair { target: CellId(self.to), portals: self.portals.clone(), line };
+        Row { source: CellId(self.from), open: vec![pair], ..Row::default() }
+    }
 }
 
 /// For each pair of groups the least vertex around which they are seen to see each other.
