@@ -2,11 +2,18 @@
 
 mod support;
 
-use serde_json::Value;
+use serde_json::value::RawValue;
 use stabline::forge::{Input, LAWS, find, test_of};
 use stabline::num::Random;
 use stabline::vectors::{Case, answer};
 use support::{root, scenes};
+
+/// What was found, and the case as it is written.
+#[derive(serde::Deserialize)]
+struct Story {
+    about: String,
+    case: Box<RawValue>,
+}
 
 #[test]
 fn cases_are_answered_as_their_snapshots_say() {
@@ -15,9 +22,10 @@ fn cases_are_answered_as_their_snapshots_say() {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     for path in scenes("scenes/regression") {
-        let file: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let file: Story = serde_json::from_str(&text).unwrap();
         let name = path.file_stem().unwrap().to_str().unwrap();
-        let case = Case::read(file["case"].to_string().as_bytes()).unwrap();
+        let case = Case::read(file.case.get().as_bytes()).unwrap();
         let input = Input::of_case(&case).unwrap();
         let found = find(&input).unwrap_or_else(|fault| panic!("{name}: {fault}"));
         assert_eq!(answer(&case), Ok(found.answer.clone()), "{name}: the two engines");
@@ -30,7 +38,7 @@ fn cases_are_answered_as_their_snapshots_say() {
         }
         let test = test_of(&input).unwrap();
         text.push_str(&(serde_json::to_string_pretty(&test).unwrap() + "\n"));
-        settings.set_description(file["about"].as_str().unwrap());
+        settings.set_description(file.about);
         settings.bind(|| insta::assert_snapshot!(name, text));
     }
 }

@@ -11,8 +11,11 @@ use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+mod exact;
 mod geometry;
 mod plan;
+
+pub use exact::{exact, exact_if_any, read_exact};
 
 pub use geometry::{
     BrushShape, GeometryFile, SceneBrush, SceneObject, ScenePlane, ScenePoint, ScenePolygon,

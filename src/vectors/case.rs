@@ -1,5 +1,6 @@
 //! What a program is asked.
 
+use crate::formats::json::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -50,6 +51,7 @@ pub struct Case {
     pub kind: Kind,
     /// What it is asked about: a `stabline-sequence/1`, `stabline-lines/1` or `stabline-scene/1`;
     /// for an eye `scene`, `at`, and perhaps `cell`, `look`, `up`, `half_tangents`.
+    #[serde(deserialize_with = "exact")]
     pub input: Value,
     /// The cell, or view cell, from which is looked.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -6,6 +6,7 @@
 
 use super::{Answer, Case, Class, Kind, LineCount};
 use crate::formats::blake3;
+use crate::formats::json::{exact, exact_if_any};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -68,6 +69,7 @@ pub struct SceneOfGroup {
     #[schemars(regex(pattern = "^[0-9a-f]{64}$"))]
     pub blake3: String,
     /// The scene, a `stabline-scene/1`.
+    #[serde(deserialize_with = "exact")]
     pub input: Value,
 }
 
@@ -84,7 +86,7 @@ pub struct Test {
     pub flags: Vec<String>,
     /// The sequence (`stabline-sequence/1`) or the lines (`stabline-lines/1`); of an eye, where it
     /// is and how it looks (`at`, `cell`, `look`, `up`, `half_tangents`).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "exact_if_any", skip_serializing_if = "Option::is_none")]
     pub input: Option<Value>,
     /// The cell, or view cell, from which is looked.
     #[serde(default, skip_serializing_if = "Option::is_none")]

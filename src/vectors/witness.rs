@@ -1,6 +1,7 @@
 //! The line that a program shows for its own `open`, and whether it is one.
 
 use super::{Answer, AnswerError, Case, Class, Kind};
+use crate::formats::json::read_exact;
 use crate::num::{Int, Number, Rational};
 use num_traits::{Signed, Zero};
 use serde::Deserialize;
@@ -22,8 +23,7 @@ impl Witness {
     /// # Errors
     /// [`AnswerError::Value`] for something else than two points, or than a list of numbers.
     pub fn read(kind: Kind, answer: &Answer, text: &str) -> Result<Option<Witness>, AnswerError> {
-        let said: Value =
-            serde_json::from_str(text).map_err(|error| AnswerError::Json(error.to_string()))?;
+        let said = read_exact(text).map_err(|error| AnswerError::Json(error.to_string()))?;
         let given = |field: &str| said.get(field).filter(|value| !value.is_null());
         let portals = given("portals");
         let (Some(witness), Answer::Class(Class::Open)) = (given("witness"), answer) else {
