@@ -10,7 +10,7 @@ pub use scene::{occluders_of, regions_of};
 pub use vector::test_of;
 
 use super::check;
-use super::input::{Door, Graph, Input, Polygon};
+use super::input::{Door, Graph, Input, Point, Polygon};
 use crate::geom::{BigLine, BigPoint2, BigPoint3, RationalPoint3};
 use crate::num::{Int, Number, Rational, Surd};
 use crate::pvs;
@@ -82,14 +82,25 @@ fn holds(fact: bool, what: &str) -> Result<(), Fault> {
     if fact { Ok(()) } else { Err(Fault::Evidence(what.to_owned())) }
 }
 
-fn in_plane(segments: &[Polygon]) -> Result<Finding, Fault> {
+/// Segments of the plane on the grid of their lowest common denominator, and that.
+pub(super) fn on_plane_grid(segments: &[Polygon]) -> (Int, Vec<[BigPoint2; 2]>) {
     let all = segments.iter().flatten().flatten();
     let unit = all.fold(Int::one(), |common, c| common.lcm(c.denom()));
-    let end =
-        |p: &Vec<Rational>| BigPoint2 { coordinates: [0, 1].map(|i| (&p[i] * &unit).to_integer()) };
+    let end = |p: &Point| BigPoint2 { coordinates: [0, 1].map(|i| (&p[i] * &unit).to_integer()) };
+    let segments = segments.iter().map(|ends| [end(&ends[0]), end(&ends[1])]).collect();
+    (unit, segments)
+}
+
+/// A polygon in space as points.
+pub(super) fn points3(polygon: &Polygon) -> Vec<RationalPoint3> {
+    let point = |p: &Point| RationalPoint3::from(&[0, 1, 2].map(|i| p[i].clone()));
+    polygon.iter().map(point).collect()
+}
+
+fn in_plane(segments: &[Polygon]) -> Result<Finding, Fault> {
+    let (unit, on_grid) = on_plane_grid(segments);
     let mut hourglass = Hourglass::new();
-    for ends in segments {
-        let [left, right] = [end(&ends[0]), end(&ends[1])];
+    for [left, right] in on_grid {
         if left == right {
             return Err(refused("a segment's two ends are one point"));
         }
@@ -107,13 +118,13 @@ fn in_plane(segments: &[Polygon]) -> Result<Finding, Fault> {
     let class = match &hourglass.verdict() {
         PlaneVerdict::Open(witness) => {
             let line = witness.points.clone().map(|p| p.map(|c| c / &unit));
-            holds(check::passes_between(&line, segments, false), "the witness does not pass")?;
+            holds(check::passes(&line, segments), "the witness does not pass")?;
             Class::Open
         }
         PlaneVerdict::Grazing { touching_line, certificate } => {
             let ratio = |c: &Int| Rational::new(c.clone(), unit.clone());
             let line = touching_line.each_ref().map(|p| p.coordinates.each_ref().map(ratio));
-            holds(check::passes_between(&line, segments, true), "the touching line misses")?;
+            holds(check::touches_between(&line, segments), "the touching line misses")?;
             cancels(certificate)?;
             Class::Grazing
         }
@@ -127,9 +138,7 @@ fn in_plane(segments: &[Polygon]) -> Result<Finding, Fault> {
 
 /// A sequence on its grid: the unit, and the portals.
 fn on_grid(portals: &[Polygon]) -> Result<(Int, Vec<Portal3>), Fault> {
-    let point = |p: &Vec<Rational>| RationalPoint3::from(&[0, 1, 2].map(|i| p[i].clone()));
-    let points: Vec<Vec<RationalPoint3>> =
-        portals.iter().map(|polygon| polygon.iter().map(point).collect()).collect();
+    let points: Vec<Vec<RationalPoint3>> = portals.iter().map(points3).collect();
     let unit = RationalPoint3::common_denominator(points.iter().flatten());
     let portals = points.iter().map(|polygon| {
         let vertices: Vec<BigPoint3> = polygon.iter().map(|p| p.on_grid(&unit)).collect();

@@ -1,16 +1,13 @@
 //! The twins' answer to an input: by brute force, with nothing of the engine. Feature `oracle`.
 
 use super::input::{Graph, Input, Polygon};
-use super::own::{Fault, portal_graph};
-use crate::geom::{BigPoint2, RationalPoint3};
-use crate::num::{Int, Rational};
+use super::own::{Fault, on_plane_grid, points3, portal_graph};
+use crate::geom::RationalPoint3;
 use crate::oracle::{
     Gate, MeetingLines, PlaneGate, PlaneTruth, Truth, classify, classify_2d, classify_pairs_2d,
     meeting_lines, on_common_grid, open_pairs, touched_pairs,
 };
 use crate::vectors::{Answer, Class, LineCount};
-use num_integer::Integer;
-use num_traits::One;
 
 /// What the twin of the input's kind says; `None` of scenes, whose cells only the engine makes.
 ///
@@ -22,19 +19,14 @@ use num_traits::One;
 pub fn answer(input: &Input) -> Result<Option<Answer>, Fault> {
     Ok(Some(match input {
         Input::Sequence(segments) if input.dimension() == 2 => {
-            Answer::Class(match classify_2d(&on_plane_grid(segments)) {
+            Answer::Class(match classify_2d(&on_plane_grid(segments).1) {
                 PlaneTruth::Open => Class::Open,
                 PlaneTruth::Grazing => Class::Grazing,
                 PlaneTruth::Blocked => Class::Blocked,
             })
         }
         Input::Sequence(portals) => {
-            let points = |polygon: &Polygon| -> Vec<RationalPoint3> {
-                let point =
-                    |p: &Vec<Rational>| RationalPoint3::from(&[0, 1, 2].map(|i| p[i].clone()));
-                polygon.iter().map(point).collect()
-            };
-            let portals: Vec<Vec<RationalPoint3>> = portals.iter().map(points).collect();
+            let portals: Vec<Vec<RationalPoint3>> = portals.iter().map(points3).collect();
             let portals: Vec<&[RationalPoint3]> = portals.iter().map(Vec::as_slice).collect();
             Answer::Class(match classify(&on_common_grid(&portals).1) {
                 Truth::Open(_) => Class::Open,
@@ -85,7 +77,7 @@ pub fn class_of_pair(graph: &Graph, is_open: bool) -> Result<Class, Fault> {
             let gates: Vec<PlaneGate> = graph
                 .doors
                 .iter()
-                .zip(on_plane_grid(&segments))
+                .zip(on_plane_grid(&segments).1)
                 .map(|(door, ends)| PlaneGate { from: door.cells[0], to: door.cells[1], ends })
                 .collect();
             let pairs = classify_pairs_2d(graph.cells, &gates);
@@ -105,13 +97,4 @@ fn gates(graph: &Graph) -> Result<Vec<Gate>, Fault> {
         vertices: built.corners(portal).cloned().collect(),
     };
     Ok(built.portals.iter().map(gate).collect())
-}
-
-/// Segments of the plane on the grid of their lowest common denominator.
-fn on_plane_grid(segments: &[Polygon]) -> Vec<[BigPoint2; 2]> {
-    let all = segments.iter().flatten().flatten();
-    let unit = all.fold(Int::one(), |common, c| common.lcm(c.denom()));
-    let end =
-        |p: &Vec<Rational>| BigPoint2 { coordinates: [0, 1].map(|i| (&p[i] * &unit).to_integer()) };
-    segments.iter().map(|ends| [end(&ends[0]), end(&ends[1])]).collect()
 }

@@ -33,5 +33,5 @@ pub use proof::{
     ProvedOpen, Refutation, graph_text, refutation_text,
 };
 pub use pvs::{InputId, PairWitness, PvsReport, ReportError, WitnessLine};
-pub use stab::StabReport;
+pub use stab::{StabReport, surd_value};
 pub use transversals::{TransversalsReport, transversals_text};

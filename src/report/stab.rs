@@ -204,6 +204,14 @@ fn number(value: &Surd) -> Number {
     }
 }
 
+/// The number a + b√d in JSON, as `stabline-stab/1` has it.
+///
+/// # Panics
+/// Never: it is three strings.
+pub fn surd_value(value: &Surd) -> serde_json::Value {
+    serde_json::to_value(number(value)).expect("three strings")
+}
+
 fn integer(value: &Int) -> Integer {
     match value.to_i64() {
         Some(small) if small.unsigned_abs() < 1 << 53 => Integer::Small(small),

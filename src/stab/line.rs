@@ -18,6 +18,16 @@ pub struct StabLine {
     pub points: [[Surd; 3]; 2],
 }
 
+impl StabLine {
+    /// The line with this direction, not zero, and this moment: its point next to the origin, and
+    /// one a direction further.
+    pub fn near_origin(direction: &[Surd; 3], moment: &[Surd; 3]) -> StabLine {
+        let near = nearest_point(direction, moment);
+        let next = std::array::from_fn(|i| &near[i] + &direction[i]);
+        StabLine { points: [near, next] }
+    }
+}
+
 /// The Plücker vector `rational + root·√radicand` of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ExactLine {

@@ -19,4 +19,4 @@ pub use case::{Case, Kind};
 pub use engine::{EngineError, ViewCells, ViewCells2, answer, answer_with_witness};
 pub use file::{Expected, Group, Note, SceneOfGroup, Test, VectorsError, VectorsFile};
 pub use score::{Failing, Mark, Marks, Mishap, Policy, ScoreReport, ScoredFile, Tally, judge};
-pub use witness::Witness;
+pub use witness::{Witness, passes};

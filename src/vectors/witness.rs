@@ -61,7 +61,8 @@ impl Witness {
             Kind::Graph => self.gates(case),
             Kind::Scene | Kind::Eye | Kind::Transversals => None,
         };
-        gates.is_some_and(|gates| gates.iter().all(|gate| self.passes(gate)))
+        let line = self.points.each_ref().map(Vec::as_slice);
+        gates.is_some_and(|gates| gates.iter().all(|gate| passes(line, gate)))
     }
 
     /// The polygons of its portals, each turned the way it is crossed; `None` if they do not lead
@@ -86,37 +87,37 @@ impl Witness {
         }
         (Some(cell) == case.to.as_deref()).then_some(gates)
     }
+}
 
-    fn passes(&self, gate: &Polygon) -> bool {
-        let [p, q] = &self.points;
-        let axes = p.len();
-        if q.len() != axes || gate.iter().any(|vertex| vertex.len() != axes) {
-            return false;
+/// Whether the line from one point to another is strictly inside a gate, in its direction: to the
+/// right of a segment's left end and to the left of its right end; in space with a positive side on
+/// every edge of a polygon. A vertex said twice makes no edge.
+pub fn passes([p, q]: [&[Rational]; 2], gate: &[Vec<Rational>]) -> bool {
+    let axes = p.len();
+    if q.len() != axes || gate.iter().any(|vertex| vertex.len() != axes) {
+        return false;
+    }
+    let arm =
+        |end: &[Rational]| -> Vec<Rational> { end.iter().zip(p).map(|(end, p)| end - p).collect() };
+    let d = arm(q);
+    match (axes, gate) {
+        (2, [left, right]) => {
+            let turn = |end: &[Rational]| {
+                let arm = arm(end);
+                &d[0] * &arm[1] - &d[1] * &arm[0]
+            };
+            turn(left).is_positive() && turn(right).is_negative()
         }
-        let arm = |end: &[Rational]| -> Vec<Rational> {
-            end.iter().zip(p).map(|(end, p)| end - p).collect()
-        };
-        let d = arm(q);
-        match (axes, gate.as_slice()) {
-            (2, [left, right]) => {
-                let turn = |end: &[Rational]| {
-                    let arm = arm(end);
-                    &d[0] * &arm[1] - &d[1] * &arm[0]
-                };
-                turn(left).is_positive() && turn(right).is_negative()
+        (3, _) => gate.iter().zip(gate.iter().cycle().skip(1)).all(|(from, to)| {
+            if from == to {
+                return true;
             }
-            (3, _) => gate.iter().zip(gate.iter().cycle().skip(1)).all(|(from, to)| {
-                // A vertex said twice makes no edge.
-                if from == to {
-                    return true;
-                }
-                let (u, v) = (arm(from), arm(to));
-                let axes = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
-                let side = axes.map(|(i, j, k)| &d[i] * (&u[j] * &v[k] - &u[k] * &v[j]));
-                side.into_iter().fold(Rational::zero(), |sum, c| sum + c).is_positive()
-            }),
-            _ => false,
-        }
+            let (u, v) = (arm(from), arm(to));
+            let axes = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+            let side = axes.map(|(i, j, k)| &d[i] * (&u[j] * &v[k] - &u[k] * &v[j]));
+            side.into_iter().fold(Rational::zero(), |sum, c| sum + c).is_positive()
+        }),
+        _ => false,
     }
 }
 

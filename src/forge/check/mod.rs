@@ -11,6 +11,7 @@ pub use refute::{Form, Refutation, refutes};
 
 use super::input::{Door, Point, Polygon};
 use crate::num::{Int, Rational, Sign, Surd};
+use crate::vectors;
 use num_traits::{Signed, Zero};
 
 fn minus(a: &[Rational], b: &[Rational]) -> [Rational; 3] {
@@ -30,21 +31,19 @@ fn edges(polygon: &Polygon) -> impl Iterator<Item = (&Point, &Point)> {
     polygon.iter().zip(polygon.iter().cycle().skip(1)).filter(|(p, q)| p != q)
 }
 
-/// Whether the line from `a` to `b` is strictly right of every edge of every polygon in space.
-pub fn passes([a, b]: &[[Rational; 3]; 2], portals: &[Polygon]) -> bool {
-    let d = minus(b, a);
-    portals.iter().flat_map(edges).all(|(p, q)| {
-        // det[b-a, p-a, q-a]: the side product of the line and the edge.
-        dot(&d, &cross(&minus(p, a), &minus(q, a))).is_positive()
-    })
+/// Whether the line from one point to another is strictly inside every portal, in its direction:
+/// polygons in space, segments in the plane.
+pub fn passes<const D: usize>(line: &[[Rational; D]; 2], portals: &[Polygon]) -> bool {
+    let line = line.each_ref().map(<[Rational; D]>::as_slice);
+    portals.iter().all(|portal| vectors::passes(line, portal))
 }
 
-/// Whether the line from `a` to `b` in the plane has every left end strictly on its left and every
-/// right end strictly on its right; with `weakly`, or on it, the points being distinct.
-pub fn passes_between([a, b]: &[[Rational; 2]; 2], segments: &[Polygon], weakly: bool) -> bool {
+/// Whether the line from `a` to `b`, which differ, meets every closed segment of the plane in its
+/// direction: no left end is to its right, and no right end to its left.
+pub fn touches_between([a, b]: &[[Rational; 2]; 2], segments: &[Polygon]) -> bool {
     let turn = |p: &Point| (&b[0] - &a[0]) * (&p[1] - &a[1]) - (&b[1] - &a[1]) * (&p[0] - &a[0]);
-    let holds = |side: Rational| if weakly { !side.is_negative() } else { side.is_positive() };
-    a != b && segments.iter().all(|ends| holds(turn(&ends[0])) && holds(-turn(&ends[1])))
+    let touches = |ends: &Polygon| !turn(&ends[0]).is_negative() && !turn(&ends[1]).is_positive();
+    a != b && segments.iter().all(touches)
 }
 
 /// Whether the line meets every closed polygon in its direction: the definition of grazing.

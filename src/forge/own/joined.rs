@@ -1,12 +1,13 @@
 //! Two sets of cells of a graph, and what shows that they see each other, or do not.
 
 use super::{Fault, class_of, refused};
-use crate::num::{Int, Number, Rational, Surd};
+use crate::num::{Number, Rational, Surd};
 use crate::pvs::{self, Found, Row};
 use crate::report::{
-    InputId, Matrix, PairWitness, ProofHead, ProvedGrazing, PvsReport, Silent, Verdict,
+    InputId, Matrix, PairWitness, ProofHead, ProvedGrazing, PvsReport, Silent, surd_value,
 };
 use crate::scene::PortalGraph;
+use crate::stab::StabLine;
 use crate::vectors::Class;
 use serde_json::Value;
 
@@ -64,12 +65,12 @@ impl Joined {
         })?;
         let source = |&portal: &u32| self.built.portals[portal as usize / 2].source;
         let mut portals: Vec<u32> = pair.portals.iter().map(source).collect();
-        let mut line = points_of(pair);
+        let mut line = line_of(pair).points;
         if is_reversed {
             portals.reverse();
             line.reverse();
         }
-        let point = |p: &[Surd; 3]| -> Value { p[..axes].iter().map(surd).collect() };
+        let point = |p: &[Surd; 3]| -> Value { p[..axes].iter().map(surd_value).collect() };
         Some(Shown { portals, line: line.iter().map(point).collect() })
     }
 
@@ -90,32 +91,13 @@ pub(super) fn best(matrix: &Matrix, from: &[usize], to: &[usize]) -> Class {
     pairs.map(|(a, b)| class_of(matrix.get(a, b))).max().unwrap_or(Class::Blocked)
 }
 
-/// Whether some pair is open.
-pub(super) fn is_open(matrix: &Matrix, from: &[usize], to: &[usize]) -> bool {
-    from.iter().any(|&a| to.iter().any(|&b| matrix.get(a, b) == Verdict::Open))
-}
-
-/// Two points of a line that is given by its vector: the one next to the origin, (d x m)/d², and
-/// one a direction further.
-fn points_of(pair: &ProvedGrazing) -> [[Surd; 3]; 2] {
+/// The line by two points.
+fn line_of(pair: &ProvedGrazing) -> StabLine {
+    let [rational, root] = &pair.line;
     let part = |i: usize| {
-        let [rational, root] =
-            [&pair.line[0], &pair.line[1]].map(|v| Rational::from(Int::clone(&v[i])));
-        Surd::new(rational, root, pair.radicand.clone())
+        let [a, b] = [rational, root].map(|v| Rational::from(v[i].clone()));
+        Surd::new(a, b, pair.radicand.clone())
     };
-    let [d, m] = [0, 3].map(|first| [0, 1, 2].map(|i| part(first + i)));
-    let square = &(&(&d[0] * &d[0]) + &(&d[1] * &d[1])) + &(&d[2] * &d[2]);
-    let near =
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &(&(&d[i] * &m[j]) - &(&d[j] * &m[i])) / &square);
-    let next = [0, 1, 2].map(|i| &near[i] + &d[i]);
-    [near, next]
-}
-
-/// The number a + b√d, as vectors write it.
-fn surd(value: &Surd) -> Value {
-    serde_json::json!({
-        "a": value.rational_part().to_string(),
-        "b": value.root_part().to_string(),
-        "d": value.radicand().to_string(),
-    })
+    let [direction, moment] = [0, 3].map(|first| [0, 1, 2].map(|i| part(first + i)));
+    StabLine::near_origin(&direction, &moment)
 }

@@ -1,7 +1,7 @@
 //! Scenes: both regions split the division as hints, so that each leaf is in a region or out of it,
 //! and a region sees what its leaves see.
 
-use super::joined::{Joined, best, is_open};
+use super::joined::{Joined, best};
 use super::{Fault, Finding, holds, raised, refused};
 use crate::forge::check::{self, HalfSpace};
 use crate::forge::input::{Input, Point, Scene, box_corners, polygons_json, sorted_box};
@@ -15,7 +15,7 @@ use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::{WorldOptions, read_world};
 use crate::subdivision;
 use crate::subdivision::plan::{PlanMethod, divide};
-use crate::vectors::Answer;
+use crate::vectors::{Answer, Class};
 use serde_json::{Value, json};
 
 /// Whether the scene is valid.
@@ -89,7 +89,7 @@ fn in_space(scene: &Scene, input: &Input) -> Result<Joined, Fault> {
         .collect();
     hold_lines(scene, &lines)?;
     let mut grazing = Vec::new();
-    if !is_open(&matrix, &from, &to) {
+    if best(&matrix, &from, &to) != Class::Open {
         grazing = pvs::classify_grazing(&cells.graph, &mut matrix, None, &Silent)
             .ok_or_else(|| refused("interrupted"))?;
     }
@@ -214,13 +214,12 @@ fn in_plane(scene: &Scene, input: &Input) -> Result<Flat, Fault> {
         let [a, b] = [sight.from as usize, sight.to as usize];
         from.contains(&a) && to.contains(&b) || from.contains(&b) && to.contains(&a)
     };
-    let half = Rational::new(Int::from(1), Int::from(2));
-    let lifted = |[x, y]: &[Number; 2]| [x.to_rational(), y.to_rational(), half.clone()];
+    let raised = |p: &[Number; 2]| PlanGraph::halfway_up(p.each_ref().map(Number::to_rational));
     let lines: Vec<[[Rational; 3]; 2]> =
-        sights.iter().filter(joins).take(1).map(|s| s.line.each_ref().map(lifted)).collect();
+        sights.iter().filter(joins).take(1).map(|s| s.line.each_ref().map(raised)).collect();
     hold_lines(scene, &lines)?;
     let mut touches = Vec::new();
-    if !is_open(&matrix, &from, &to) {
+    if best(&matrix, &from, &to) != Class::Open {
         touches = classify_plan_grazing(&graph, &crossings, &groups, &mut matrix, &Silent)
             .ok_or_else(interrupted)?;
     }

@@ -2,12 +2,12 @@
 
 use super::joined::{Joined, Shown};
 use super::scene::joined_of;
-use super::{Fault, classify_grazing, find, on_grid, pvs_of, refused};
+use super::{Fault, classify_grazing, find, on_grid, points3, pvs_of, refused};
 use crate::forge::input::{Graph, Input, Polygon, Scene};
 use crate::formats::lines::LinesFile;
 use crate::formats::sequence::{SequenceFile, SequencePoints};
 use crate::geom::RationalPoint3;
-use crate::report::{StabReport, TransversalsReport, refutation_text};
+use crate::report::{StabReport, TransversalsReport, Verdict, refutation_text};
 use crate::stab::hourglass::Hourglass;
 use crate::stab::transversals::transversals;
 use crate::stab::{Stabber, Verdict as StabVerdict};
@@ -44,14 +44,7 @@ fn sequence(input: &Input, polygons: &[Polygon]) -> Result<Test, Fault> {
             let reason = match &verdict {
                 StabVerdict::Open { .. } => None,
                 StabVerdict::Grazing { certificate, .. } | StabVerdict::Blocked { certificate } => {
-                    let point = |p: &Vec<_>| {
-                        RationalPoint3::from(&[0, 1, 2].map(|i: usize| {
-                            let c: &crate::num::Rational = &p[i];
-                            c.clone()
-                        }))
-                    };
-                    let vertices: Vec<Vec<RationalPoint3>> =
-                        polygons.iter().map(|p| p.iter().map(point).collect()).collect();
+                    let vertices: Vec<Vec<RationalPoint3>> = polygons.iter().map(points3).collect();
                     let vertices = vertices.iter().map(|portal| portal.iter().collect()).collect();
                     Some(json!({"refutation": refutation_text(certificate, vertices, &unit)}))
                 }
@@ -87,7 +80,10 @@ fn lines(input: &Input) -> Result<Test, Fault> {
 
 fn graph(graph: &Graph, input: &Input) -> Result<Test, Fault> {
     let (built, mut matrix, rows) = pvs_of(graph)?;
-    let grazing = classify_grazing(graph, &built, &mut matrix)?;
+    let mut grazing = Vec::new();
+    if matrix.get(graph.from, graph.to) != Verdict::Open {
+        grazing = classify_grazing(graph, &built, &mut matrix)?;
+    }
     let (from, to) = (vec![graph.from], vec![graph.to]);
     let joined = Joined { built, matrix, rows, grazing, from, to };
     let test = pair(&joined, input, [graph.from, graph.to].map(|cell| cell.to_string()))?;

@@ -14,7 +14,7 @@
 
 use super::groups::Groups;
 use crate::geom::BigLine;
-use crate::num::{Int, Rational, Sign};
+use crate::num::{Int, Sign};
 use crate::report::{Matrix, Progress, ProvedGrazing, Verdict};
 use crate::scene::CellId;
 use crate::scene::plan::{Crossing, Crossings, PlanGraph};
@@ -122,11 +122,8 @@ impl PlanTouch {
             let portal = &graph.portals[way.portal as usize];
             2 * way.portal + u32::from(way.to == portal.from)
         };
-        let half = Rational::new(Int::from(1), Int::from(2));
-        let points = self.line.map(|end| {
-            let [x, y] = graph.world(end).map(|c| c.to_rational());
-            [x, y, half.clone()]
-        });
+        let raised = |end| PlanGraph::halfway_up(graph.world(end).map(|c| c.to_rational()));
+        let points = self.line.map(raised);
         let line = BigLine::through_rational(&points[0], &points[1]).expect("two different ends");
         let ([a, b, c], [d, e, f]) = (line.direction, line.moment);
         ProvedGrazing {

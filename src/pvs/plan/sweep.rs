@@ -4,7 +4,7 @@ use super::around::Around;
 use super::groups::Groups;
 use super::line::{Chain, TurningLine};
 use super::witness;
-use crate::num::{Int, Number, Rational};
+use crate::num::Number;
 use crate::pvs::{OpenPair, Row, Sightline};
 use crate::report::{Matrix, Progress, Verdict};
 use crate::scene::CellId;
@@ -29,9 +29,8 @@ impl PlanSight {
     /// The same in the graph's [form in space](PlanGraph::in_space), at half the portals' height,
     /// where the groups are cells: the row of this pair alone.
     pub fn in_space(&self) -> Row {
-        let half = Rational::new(Int::from(1), Int::from(2));
-        let lifted = |[x, y]: &[Number; 2]| [x.to_rational(), y.to_rational(), half.clone()];
-        let line = Sightline::Rational(Box::new(self.line.each_ref().map(lifted)));
+        let raised = |p: &[Number; 2]| PlanGraph::halfway_up(p.each_ref().map(Number::to_rational));
+        let line = Sightline::Rational(Box::new(self.line.each_ref().map(raised)));
         let pair = OpenPair { target: CellId(self.to), portals: self.portals.clone(), line };
         Row { source: CellId(self.from), open: vec![pair], ..Row::default() }
     }

@@ -1,6 +1,6 @@
 //! Convex cells of the plane, joined by segments.
 
-use crate::num::{Int, Number};
+use crate::num::{Int, Number, Rational};
 use crate::predicates::PlanPoints;
 use crate::scene::{CellId, PortalGraph, RawGraph, RawPortal};
 
@@ -153,6 +153,11 @@ impl PlanGraph {
             declared_grid: None,
         };
         PortalGraph::from_raw(raw).expect("rectangles between two cells")
+    }
+
+    /// A point of the plane at half the height of the portals of [`PlanGraph::in_space`].
+    pub fn halfway_up([x, y]: [Rational; 2]) -> [Rational; 3] {
+        [x, y, Rational::new(Int::from(1), Int::from(2))]
     }
 
     /// A point in world units.

@@ -5,7 +5,7 @@ use crate::eye::plan::{EyePlan, ViewCone};
 use crate::eye::{Cull, EyeGraph, EyeWorld, Frustum, Query};
 use crate::geom::RationalPoint3;
 use crate::num::{Number, Rational};
-use crate::scene::plan::{PlanInput, read_plan};
+use crate::scene::plan::{PlanGraph, PlanInput, read_plan};
 use crate::scene::world::InputKind;
 use crate::scene::{CellId, PortalGraph, read_graph};
 use serde_json::Value;
@@ -76,11 +76,7 @@ fn in_graph(
         true if input.get("look").is_some() => {
             return Err(EngineError::input("`look` is for floorplans and for space"));
         }
-        true => {
-            let [x, y] = at(input)?;
-            let half = Rational::new(1.into(), 2.into());
-            (RationalPoint3::from(&[x, y, half]), None)
-        }
+        true => (RationalPoint3::from(&PlanGraph::halfway_up(at(input)?)), None),
         false => (RationalPoint3::from(&at(input)?), frustum(input)?),
     };
     let cell = match input.get("cell").and_then(Value::as_str) {
